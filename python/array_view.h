@@ -116,9 +116,9 @@ owned(Value&& value)
  * \param[in] address function that returns the address of the field's first value
  * \param[in] columns number of values per record; 0: one value, and a 1-D array
  * \param[in] owner of the vector; the array keeps a reference to it */
-template <typename Value, typename Record, typename Address>
+template <typename Value, typename Record, typename Allocator, typename Address>
 py::array
-fieldOf(const std::vector<Record>& records,
+fieldOf(const std::vector<Record, Allocator>& records,
         py::ssize_t columns,
         const py::handle& owner,
         const Address& address)
@@ -134,9 +134,9 @@ fieldOf(const std::vector<Record>& records,
 }
 
 /** \brief Moves a vector of numbers into an array. */
-template <typename Value>
+template <typename Value, typename Allocator>
 py::array
-arrayOver(std::vector<Value>&& values)
+arrayOver(std::vector<Value, Allocator>&& values)
 {
   const auto [kept, owner] = owned(std::move(values));
   return fieldOf<Value>(kept, 0, owner, [](const Value& value) { return &value; });

@@ -31,7 +31,7 @@ constexpr double coarse_extents = 0.1;
 
 /** \brief The 10 % and 90 % quantiles; reorders the values. */
 std::pair<double, double>
-quantiles(std::vector<float>& values)
+quantiles(LargeVector<float>& values)
 {
   const std::size_t tenth = values.size() / 10;
   const auto low = values.begin() + static_cast<std::ptrdiff_t>(tenth);
@@ -103,7 +103,7 @@ CloudExtent
 cloudExtent(const PointView& points)
 {
   CloudExtent extent;
-  std::vector<float> values;
+  LargeVector<float> values;
   for (int axis = 0; axis < 3; ++axis) {
     values.clear();
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -130,9 +130,9 @@ lengthRemarks(const PointView& points, double median_spacing, double scale)
 }
 
 void
-warnOfLengths(const PointCloudFile& file, const RunControls& controls, StageLog& log)
+warnOfLengths(const PointView& points, const RunControls& controls, StageLog& log)
 {
-  log.warn(lengthRemarks(file.points(), 0, controls.scale));
+  log.warn(lengthRemarks(points, 0, controls.scale));
 }
 
 void

@@ -35,11 +35,11 @@ cloudExtent(const PointView& points);
 std::vector<std::string>
 lengthRemarks(const PointView& points, double median_spacing, double scale);
 
-/** \brief Warns about the lengths of a file, without those checks that need its
+/** \brief Warns about the lengths of a cloud, without those checks that need its
  * spacing.
- * \param[in] file in metres, by the scale of the controls */
+ * \param[in] points in metres, by the scale of the controls */
 void
-warnOfLengths(const PointCloudFile& file, const RunControls& controls, StageLog& log);
+warnOfLengths(const PointView& points, const RunControls& controls, StageLog& log);
 
 /** \brief Compares a length that the user gave in metres with the extent of the cloud
  * that it divides: warns if only few parts are left.

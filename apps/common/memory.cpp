@@ -147,6 +147,13 @@ memoryLimit()
   return memory_limit;
 }
 
+std::size_t
+residentScratch()
+{
+  constexpr std::size_t least = std::size_t{16} << 20, usual = std::size_t{64} << 20;
+  return memory_limit == 0 ? usual : std::clamp(memory_limit / 8, least, usual);
+}
+
 UnlimitedMemory::UnlimitedMemory()
 : before_(ownMemory())
 {

@@ -76,7 +76,7 @@ addMapOptions(Tool& tool, ChainOptions& options)
     app.add_option("--max-points",
                    options.max_points,
                    "Points that the map is made of, at most: of more only each second, "
-                   "fourth ... is taken; 100 bytes of memory each")
+                   "fourth ... is taken; 50 bytes each on the disk while it is made")
         ->type_name("N")
         ->check(CLI::Range(std::size_t{1000}, std::size_t{1} << 31).description(""));
     app.add_flag_callback(

@@ -26,7 +26,7 @@ struct ChainOptions {
   bool as_recorded = false; ///< replay a session at its pace, and map it meanwhile
   bool live = false;        ///< show the map of the replay so far
   /** \brief Maximum for the merged cloud, before it is consolidated. */
-  std::size_t max_points = 50000000;
+  std::size_t max_points = 2000000000;
   StereoOptions stereo;
   EgomotionOptions egomotion;
   RectificationOptions rectification;

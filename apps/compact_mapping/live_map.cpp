@@ -4,6 +4,7 @@
 #include "active_stereo/stereo_observation.h"
 #include "chain.h"
 #include "live_window.h"
+#include "memory.h"
 
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_list.h>
@@ -174,6 +175,7 @@ LiveMap::finish(bool draws,
 {
   const Clock::time_point last_shot = Clock::now();
   const double recorded = begin_ ? secondsSince(*begin_) : 0;
+  mapping_.setScratchFolder(folder.path(""), residentScratch());
   mapping_.setProgressCallback([&](double done, const std::string& step) {
     show();
     return !controls.progress || controls.progress(0.5 + done / 2, step);

@@ -57,10 +57,10 @@ savePictures(const OutputFolder& folder,
 
 /** \brief Every n-th point of a map, for display: at most a million points. */
 PCLPointCloud2
-thinned(const PCLPointCloud2& map)
+thinned(const CloudRows& map)
 {
   constexpr std::size_t maximum = 1000000;
-  return everyNth(map, rowsOf(map) / maximum + 1);
+  return everyNth(map, map.size() / maximum + 1);
 }
 
 MergedCloud
@@ -79,7 +79,7 @@ merge(const ChainOptions& options,
     log.warn("the map has more than " + std::to_string(options.max_points) +
              " points (--max-points): it is made of each " +
              std::to_string(report.every) + "th of them");
-  warnOfLengths(*merged.cloud, controls, log);
+  warnOfLengths(requirePoints(merged.cloud), controls, log);
   log.details["observations"] = report.observations;
   log.tell("read",
            std::to_string(report.observations) + " observations, " +
@@ -105,10 +105,9 @@ mapSequence(const ChainOptions& options,
     timer.finish("read");
     PlaneOptions planes = options.planes;
     planes.sensor = sensorOfMerged(planes.sensor, merged.viewpoints.size());
-    result.found =
-        extractPlanes(planes, merged.cloud, merged.viewpoints, controls, log);
+    result.found = extractPlanes(planes, merged, controls, log);
     StepTimer write_timer(log.report);
-    savePointCloud(folder.path("map.pcd"), thinned(merged.cloud->cloud));
+    savePointCloud(folder.path("map.pcd"), thinned(merged.cloud));
     write_timer.finish("write");
   }
   requirePlanes(options.input, result.found, log);
@@ -131,7 +130,7 @@ mapCloud(const ChainOptions& options, const RunControls& controls, StageLog& log
   const auto file = std::make_shared<const PointCloudFile>(
       loadScaledCloud(options.input, controls.scale));
   timer.finish("read");
-  warnOfLengths(*file, controls, log);
+  warnOfLengths(file->points(), controls, log);
   const std::vector<Eigen::Vector3f> viewpoints =
       viewpointsOfFile(*file, options.input, controls.scale, log);
   Mapped result;
@@ -287,9 +286,6 @@ mergingOf(const ChainOptions& options, unsigned threads)
   merging.setSkipBroken(options.texture.skip_broken);
   merging.setMaximumPoints(options.max_points);
   merging.setNumberOfThreads(threads);
-  merging.setCostCallback([](const std::string& work, std::size_t bytes, double) {
-    requireMemory(bytes, work);
-  });
   return merging;
 }
 
@@ -330,8 +326,12 @@ makeMap(const ChainOptions& options,
         const RunControls& controls,
         StageLog& log)
 {
+  const ScratchMemory scratch(folder.path(""), residentScratch());
   Mapped mapped = sequence.posed ? mapSequence(options, sequence, folder, controls, log)
                                  : mapCloud(options, controls, log);
+  if (scratch.getRefused() > 0)
+    log.warn(options.output + ": the disk is full, " + gigabytes(scratch.getRefused()) +
+             " of points stayed in memory");
   stopIfInterrupted();
   if (sequence.is_rectified)
     takeAlong(chain, folder);

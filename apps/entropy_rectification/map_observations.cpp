@@ -27,7 +27,7 @@ readObservations(const ObservationSequence& sequence,
   consolidation.compute(sequence, observations);
   const SequenceConsolidationReport& report = consolidation.getReport();
   if (observations.places.front() == 0)
-    warnOfLengths(*sequence.load(0).file, controls, log);
+    warnOfLengths(sequence.load(0).file->points(), controls, log);
   log.warn(report.remarks);
   log.tell("read",
            std::to_string(observations.places.size()) + " observations, " +

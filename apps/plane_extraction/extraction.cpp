@@ -119,7 +119,7 @@ describe(const RecessPatch& recess)
 }
 
 std::size_t
-countLabelled(const std::vector<std::int32_t>& labels)
+countLabelled(const PointLabels& labels)
 {
   return static_cast<std::size_t>(std::count_if(
       labels.begin(), labels.end(), [](auto label) { return label >= 0; }));
@@ -155,12 +155,13 @@ tellCylinders(const MappedPlanes& found, StageLog& log)
 }
 
 /** Labels of planes, followed by those of cylinders. */
+template <typename Labels>
 std::vector<std::int32_t>
-joinedLabels(const std::vector<std::int32_t>& planes,
-             const std::vector<std::int32_t>& cylinders,
+joinedLabels(const Labels& planes,
+             const Labels& cylinders,
              std::size_t number_of_planes)
 {
-  std::vector<std::int32_t> labels = planes;
+  std::vector<std::int32_t> labels(planes.begin(), planes.end());
   for (std::size_t i = 0; i < cylinders.size(); ++i)
     if (cylinders[i] >= 0)
       labels[i] = static_cast<std::int32_t>(number_of_planes) + cylinders[i];
@@ -351,20 +352,19 @@ checkChoices(const PlaneOptions& options)
         "which work in space: leave it out");
 }
 
+namespace {
+
+/** \param[in] mapping with its input
+ * \param[in] points of the input */
 MappedPlanes
-extractPlanes(const PlaneOptions& options,
-              const std::shared_ptr<const PointCloudFile>& cloud,
-              std::vector<Eigen::Vector3f> viewpoints,
-              const RunControls& controls,
-              StageLog& log,
-              TriangleMesh mesh)
+extract(const PlaneOptions& options,
+        PlaneMapping& mapping,
+        const PointView& points,
+        const RunControls& controls,
+        StageLog& log)
 {
   if (options.voxel_size.value_or(0) > 0)
-    requireFineLength("--consolidate", *options.voxel_size, cloud->points(), log);
-  PlaneMapping mapping = mappingOf(options, controls.threads);
-  mapping.setInputCloud(cloud);
-  mapping.setInputMesh(std::move(mesh));
-  mapping.setViewpoints(std::move(viewpoints));
+    requireFineLength("--consolidate", *options.voxel_size, points, log);
   mapping.setCostCallback(costCheck(controls));
   mapping.setProgressCallback(controls.progress);
   MappedPlanes found;
@@ -379,6 +379,35 @@ extractPlanes(const PlaneOptions& options,
     log.warn("--sensor stereo expects noise that is even in inverse depth; where the "
              "cloud's is not, leave --sensor out");
   return found;
+}
+
+} // namespace
+
+MappedPlanes
+extractPlanes(const PlaneOptions& options,
+              const std::shared_ptr<const PointCloudFile>& cloud,
+              std::vector<Eigen::Vector3f> viewpoints,
+              const RunControls& controls,
+              StageLog& log,
+              TriangleMesh mesh)
+{
+  PlaneMapping mapping = mappingOf(options, controls.threads);
+  mapping.setInputCloud(cloud);
+  mapping.setInputMesh(std::move(mesh));
+  mapping.setViewpoints(std::move(viewpoints));
+  return extract(options, mapping, cloud->points(), controls, log);
+}
+
+MappedPlanes
+extractPlanes(const PlaneOptions& options,
+              const MergedCloud& merged,
+              const RunControls& controls,
+              StageLog& log)
+{
+  PlaneMapping mapping = mappingOf(options, controls.threads);
+  mapping.setInputCloud(merged.cloud);
+  mapping.setViewpoints(merged.viewpoints);
+  return extract(options, mapping, requirePoints(merged.cloud), controls, log);
 }
 
 void

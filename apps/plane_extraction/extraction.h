@@ -3,6 +3,7 @@
 #include "tool.h"
 
 #include <pcl/core/compact_map.h>
+#include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping.h>
 #include <pcl/visualization/mesh_snapshot.h>
 
@@ -68,6 +69,13 @@ extractPlanes(const PlaneOptions& options,
               const RunControls& controls,
               StageLog& log,
               TriangleMesh mesh = {});
+
+/** \brief The same for merged observations. */
+MappedPlanes
+extractPlanes(const PlaneOptions& options,
+              const MergedCloud& merged,
+              const RunControls& controls,
+              StageLog& log);
 
 /** \brief Reports all steps of a mapping: warnings, summary, JSON report and seconds. */
 void

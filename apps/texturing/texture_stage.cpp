@@ -142,7 +142,7 @@ paintPlanes(const CompactMap& surfaces,
       remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
       // otherwise the merging has already reported them
       if (i == 0 && log.report.remarks.empty())
-        warnOfLengths(*seen.file, controls, log);
+        warnOfLengths(seen.file->points(), controls, log);
       return TexturedObservation{
           sharedCloud(seen.file), seen.T_map_camera, sequence.stamp(i), true};
     }

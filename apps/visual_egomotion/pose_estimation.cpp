@@ -489,7 +489,7 @@ run(const EgomotionOptions& options,
       dropUnwritableFields(cloud);
       saveObservation(folder.path(list.outputs[index]), cloud, T_map_camera);
     });
-  warnOfLengths(*list.sequence.load(0).file, controls, log);
+  warnOfLengths(list.sequence.load(0).file->points(), controls, log);
   return odometry.compute(list.sequence);
 }
 

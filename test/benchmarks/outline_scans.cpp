@@ -97,7 +97,9 @@ loadScan(const Scan& scan, const std::string& path)
   ObservationMerging merging;
   MergedCloud merged;
   merging.compute(ObservationSequence(recorded, recorded.cameras()), merged);
-  return {merged.cloud, merged.viewpoints};
+  const auto file = std::make_shared<PointCloudFile>();
+  file->cloud = merged.cloud.copy();
+  return {file, merged.viewpoints};
 }
 
 void

@@ -14,6 +14,7 @@ namespace pcl::acmap::test {
 namespace {
 
 using testing::Each;
+using testing::ElementsAreArray;
 using testing::Ge;
 
 /** Two views of an office, merged. */
@@ -255,6 +256,27 @@ TEST_F(Office, givesThePaperLabelsOfAllPoints)
   EXPECT_THAT(found.labels, Each(Ge(-1)));
 }
 
+/** The points of the office in files, of which a part is in memory. */
+TEST_F(Office, hasTheSamePlanesWithItsPointsInFiles)
+{
+  MappedPlanes in_memory, in_files;
+  PlaneMapping mapping = this->mapping();
+  mapping.setComputeCylinders(true);
+  mapping.compute(in_memory);
+  const ScratchMemory scratch(testing::TempDir(), std::size_t{16} << 20);
+  const PCLPointCloud2& cloud = cloud_->cloud;
+  LargeVector<std::uint8_t> rows(cloud.data.begin(), cloud.data.end());
+  mapping.setInputCloud(CloudRows(cloud, std::move(rows)));
+  mapping.compute(in_files);
+  EXPECT_GT(scratch.getBytes(), cloud.data.size());
+  EXPECT_EQ(in_files.labels, in_memory.labels);
+  EXPECT_EQ(in_files.cylinder_labels, in_memory.cylinder_labels);
+  EXPECT_EQ(in_files.vertices.cloud.data, in_memory.vertices.cloud.data);
+  EXPECT_EQ(in_files.mesh.triangles, in_memory.mesh.triangles);
+  EXPECT_EQ(equationsOf(in_files.planes), equationsOf(in_memory.planes));
+  EXPECT_EQ(in_files.finite_points, in_memory.finite_points);
+}
+
 TEST_F(Office, takesAMeshOfPcl)
 {
   const auto greedy =
@@ -281,7 +303,7 @@ TEST_F(Office, takesAMeshThatIsThere)
   of_mesh.setInputMesh(first.mesh);
   of_mesh.compute(again);
   EXPECT_EQ(again.mesh.triangles, first.mesh.triangles);
-  EXPECT_EQ(again.labels, again.vertex_labels);
+  EXPECT_THAT(again.labels, ElementsAreArray(again.vertex_labels));
   EXPECT_GE(again.planes.size(), 3U);
   EXPECT_FALSE(of_mesh.getReport().mesh);
   of_mesh.setInputMesh({{{0, 1, 1 << 30}}, {}});
@@ -306,7 +328,7 @@ TEST_F(Office, canBeCancelledAndRefused)
       throw std::bad_alloc();
   });
   EXPECT_THROW(mapping.compute(found), std::bad_alloc);
-  EXPECT_EQ(found.labels, std::vector<std::int32_t>{42});
+  EXPECT_EQ(found.labels, PointLabels{42});
 }
 
 TEST_F(Office, isNoPicture)
@@ -376,18 +398,18 @@ TEST_F(Column, hasItsPointsAlone)
 {
   ASSERT_EQ(with_.cylinder_labels.size(), with_.labels.size());
   ASSERT_EQ(with_.vertex_cylinders.size(), with_.vertex_labels.size());
-  for (const auto& [planes, cylinders] :
-       {std::pair(&with_.labels, &with_.cylinder_labels),
-        std::pair(&with_.vertex_labels, &with_.vertex_cylinders)}) {
+  const auto expectApart = [](const auto& planes, const auto& cylinders) {
     std::size_t members = 0;
-    for (std::size_t i = 0; i < planes->size(); ++i) {
-      EXPECT_LT((*planes)[i], static_cast<std::int32_t>(with_.planes.size()));
-      EXPECT_LT((*cylinders)[i], static_cast<std::int32_t>(with_.cylinders.size()));
-      members += (*cylinders)[i] >= 0 ? 1 : 0;
-      EXPECT_FALSE((*planes)[i] >= 0 && (*cylinders)[i] >= 0) << i;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      EXPECT_LT(planes[i], static_cast<std::int32_t>(with_.planes.size()));
+      EXPECT_LT(cylinders[i], static_cast<std::int32_t>(with_.cylinders.size()));
+      members += cylinders[i] >= 0 ? 1 : 0;
+      EXPECT_FALSE(planes[i] >= 0 && cylinders[i] >= 0) << i;
     }
     EXPECT_GT(members, 0U);
-  }
+  };
+  expectApart(with_.labels, with_.cylinder_labels);
+  expectApart(with_.vertex_labels, with_.vertex_cylinders);
   for (const PlanePatch& plane : with_.planes)
     for (const PlanePolygon& polygon : plane.polygons)
       for (const PolygonEdge& edge : polygon.edges)
@@ -416,8 +438,7 @@ TEST_F(Office, hasNoColumnInItsFirstViews)
   MappedPlanes found;
   mapping.compute(found);
   EXPECT_TRUE(found.cylinders.empty());
-  EXPECT_EQ(found.cylinder_labels,
-            std::vector<std::int32_t>(cloud_->points().size(), -1));
+  EXPECT_EQ(found.cylinder_labels, PointLabels(cloud_->points().size(), -1));
   ASSERT_TRUE(mapping.getReport().cylinders);
   EXPECT_FALSE(mapping.getReport().cylinders->remarks.empty());
 }
@@ -450,7 +471,7 @@ TEST(PlaneMapping, findsThePlanesOfAKinectInItsPicture)
   mapping.compute(with_mesh);
   EXPECT_EQ(equationsOf(with_mesh.planes), equationsOf(found.planes));
   EXPECT_GT(with_mesh.mesh.triangles.size(), 10000U);
-  EXPECT_EQ(with_mesh.vertex_labels, with_mesh.labels);
+  EXPECT_THAT(with_mesh.vertex_labels, ElementsAreArray(with_mesh.labels));
   EXPECT_TRUE(mapping.getReport().refinement);
 }
 
@@ -495,7 +516,7 @@ TEST(PlaneMapping, doesNotConsolidateWhatIsSparseAndExact)
   ASSERT_EQ(found.planes.size(), 1U);
   EXPECT_FALSE(mapping.getReport().consolidation);
   EXPECT_EQ(found.vertices.points().size(), floor->size());
-  EXPECT_EQ(found.labels, std::vector<std::int32_t>(floor->size(), 0));
+  EXPECT_EQ(found.labels, PointLabels(floor->size(), 0));
 }
 
 TEST(PlaneMapping, refusesWhatIsNoCloud)

@@ -14,7 +14,7 @@ using SetClustering = std::function<void(Clustering&)>;
 struct Clustered {
   std::vector<PlanePatch> patches;
   std::vector<std::int32_t> labels;
-  std::vector<std::int32_t> source_labels;
+  PointLabels source_labels;
   PlaneClusteringReport report;
 };
 

@@ -29,7 +29,7 @@ makeRaster()
 /** Rays from a sensor to places of a rectangle of a plane, with points off along them. */
 struct Rays {
   std::vector<Eigen::Vector3f> points;
-  std::vector<std::int32_t> labels;
+  PointLabels labels;
   Eigen::Vector3f sensor{-1, 1, 0.4F}; // it grazes the plane
 
   /** \param[in] box cells

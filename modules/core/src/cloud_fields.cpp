@@ -107,59 +107,59 @@ resizeRows(PCLPointCloud2& cloud, std::size_t rows)
 }
 
 PointView
-requirePoints(const PCLPointCloud2ConstPtr& cloud, const Indices* indices)
+requirePoints(const CloudRows& rows, const Indices* indices)
 {
-  if (!cloud)
+  if (!rows)
     PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
-  const std::size_t rows = rowsOf(*cloud);
-  const PCLPointField* const x = findField(*cloud, "x", PCLPointField::FLOAT32);
-  const PCLPointField* const y = findField(*cloud, "y", PCLPointField::FLOAT32);
-  const PCLPointField* const z = findField(*cloud, "z", PCLPointField::FLOAT32);
+  const PCLPointCloud2& cloud = rows.layout();
+  const PCLPointField* const x = findField(cloud, "x", PCLPointField::FLOAT32);
+  const PCLPointField* const y = findField(cloud, "y", PCLPointField::FLOAT32);
+  const PCLPointField* const z = findField(cloud, "z", PCLPointField::FLOAT32);
   if (!x || !y || !z || y->offset != x->offset + 4 || z->offset != x->offset + 8)
     PCL_THROW_EXCEPTION(InitFailedException,
                         "the cloud has no float32 fields x, y, z side by side");
-  for (const PCLPointField& field : cloud->fields)
-    if (std::size_t{field.offset} + getFieldSize(field.datatype) > cloud->point_step)
+  for (const PCLPointField& field : cloud.fields)
+    if (std::size_t{field.offset} + getFieldSize(field.datatype) > cloud.point_step)
       PCL_THROW_EXCEPTION(InitFailedException,
                           "field " << field.name << " is outside of its point");
-  if (cloud->data.size() / std::max<std::size_t>(cloud->point_step, 1) < rows)
+  if (rows.bytes() / std::max<std::size_t>(cloud.point_step, 1) < rows.size())
     PCL_THROW_EXCEPTION(InitFailedException,
-                        "the cloud has fewer bytes than its " << rows << " points");
+                        "the cloud has fewer bytes than its " << rows.size()
+                                                              << " points");
   if (!indices)
-    return {rows ? cloud->data.data() + x->offset : nullptr, cloud->point_step, rows};
+    return {
+        rows.size() ? rows.data() + x->offset : nullptr, cloud.point_step, rows.size()};
   for (const index_t index : *indices)
-    if (index < 0 || static_cast<std::size_t>(index) >= rows)
+    if (index < 0 || static_cast<std::size_t>(index) >= rows.size())
       PCL_THROW_EXCEPTION(InitFailedException,
                           "index " << index << " is outside of the input cloud of "
-                                   << rows << " points");
-  return {cloud->data.data() + x->offset,
-          cloud->point_step,
-          indices->size(),
-          indices->data()};
+                                   << rows.size() << " points");
+  return {rows.data() + x->offset, cloud.point_step, indices->size(), indices->data()};
 }
 
 SensorView
-sensorsOf(const PCLPointCloud2& cloud,
+sensorsOf(const CloudRows& cloud,
           const std::vector<Eigen::Vector3f>& viewpoints,
           const std::optional<Eigen::Vector3f>& origin,
           const Indices* indices)
 {
-  const PCLPointField* const view = findField(cloud, "view", PCLPointField::INT32);
-  if (view && !cloud.data.empty())
-    return SensorView(cloud.data.data() + view->offset,
-                      cloud.point_step,
+  const PCLPointField* const view =
+      findField(cloud.layout(), "view", PCLPointField::INT32);
+  if (view && cloud.bytes() > 0)
+    return SensorView(cloud.data() + view->offset,
+                      cloud.layout().point_step,
                       viewpoints,
                       indices ? indices->data() : nullptr);
   return origin ? SensorView(*origin) : SensorView();
 }
 
 ColorView
-colorsOf(const PCLPointCloud2& cloud)
+colorsOf(const CloudRows& cloud)
 {
-  const PCLPointField* const color = findColor(cloud);
-  if (!color || cloud.data.empty())
+  const PCLPointField* const color = findColor(cloud.layout());
+  if (!color || cloud.bytes() == 0)
     return {};
-  return {cloud.data.data() + color->offset, cloud.point_step};
+  return {cloud.data() + color->offset, cloud.layout().point_step};
 }
 
 } // namespace pcl::acmap

@@ -1,6 +1,10 @@
+#include "scratch_pages.h"
+
 #include <pcl/core/impl/large_memory.h>
 
 #include <sys/mman.h>
+
+#include <malloc.h>
 
 #include <cstdint>
 #include <new>
@@ -25,6 +29,14 @@ adviseLargePages(void* begin, std::size_t bytes)
 #endif
 }
 
+void
+returnFreeMemory()
+{
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
+
 namespace {
 
 constexpr std::size_t worth_pages = std::size_t{1} << 18; // bytes
@@ -36,6 +48,9 @@ allocateFromSystem(std::size_t bytes)
 {
   if (bytes < worth_pages)
     return ::operator new(bytes);
+  if (bytes >= worth_a_file)
+    if (void* const memory = mapScratch(bytes))
+      return memory;
   void* const memory = ::mmap(
       nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED)
@@ -48,6 +63,8 @@ returnToSystem(void* memory, std::size_t bytes)
 {
   if (bytes < worth_pages)
     ::operator delete(memory);
+  else if (bytes >= worth_a_file)
+    unmapLarge(memory, bytes);
   else
     ::munmap(memory, bytes);
 }

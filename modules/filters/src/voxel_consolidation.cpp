@@ -100,8 +100,11 @@ VoxelConsolidation<PCLPointCloud2>::filter(PCLPointCloud2& output)
 void
 VoxelConsolidation<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
 {
-  const Indices* const wanted = fake_indices_ ? nullptr : indices_.get();
-  const acmap::PointView points = acmap::requirePoints(input_, wanted);
+  const bool is_subset = !rows_ && !fake_indices_;
+  const Indices* const wanted = is_subset ? indices_.get() : nullptr;
+  const CloudRows rows = rows_ ? rows_ : CloudRows(input_);
+  const acmap::PointView points = acmap::requirePoints(rows, wanted);
+  const PCLPointCloud2& layout = rows.layout();
   acmap::ConsolidationSettings settings;
   settings.voxel_size = voxel_size_;
   settings.keep_sources = keep_sources_;
@@ -109,13 +112,13 @@ VoxelConsolidation<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
   ConsolidationReport report;
   const acmap::Consolidation consolidation = acmap::consolidatePoints(
       points,
-      acmap::sensorsOf(*input_, viewpoints_, sensor_origin_, wanted),
-      acmap::colorsOf(*input_),
+      acmap::sensorsOf(rows, viewpoints_, sensor_origin_, wanted),
+      acmap::colorsOf(rows),
       settings,
       acmap::Progress(progress_),
       report);
 
-  PCLPointCloud2 result = emptyResult(*input_, consolidation.representatives.size());
+  PCLPointCloud2 result = emptyResult(layout, consolidation.representatives.size());
   result.is_dense = report.without_normal == 0;
   const RowWriter writer(result);
   const auto writeRows = [&](std::size_t begin, std::size_t end) {
@@ -124,8 +127,7 @@ VoxelConsolidation<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
       const auto witness = static_cast<std::size_t>(
           points.index(static_cast<std::size_t>(representative.witness)));
       std::uint8_t* const row = &result.data[r * result.point_step];
-      std::memcpy(
-          row, input_->data.data() + witness * input_->point_step, input_->point_step);
+      std::memcpy(row, rows.data() + witness * layout.point_step, layout.point_step);
       writer.write(representative, static_cast<float>(report.residual), row);
     }
   };
@@ -134,7 +136,7 @@ VoxelConsolidation<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
   });
   Indices voxel_of_point;
   if (keep_sources_) {
-    voxel_of_point.assign(acmap::rowsOf(*input_), -1);
+    voxel_of_point.assign(rows.size(), -1);
     for (std::size_t i = 0; i < consolidation.representative_of.size(); ++i)
       voxel_of_point[static_cast<std::size_t>(points.index(i))] =
           consolidation.representative_of[i];

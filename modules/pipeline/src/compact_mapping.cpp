@@ -3,6 +3,7 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
+#include <pcl/core/scratch_memory.h>
 #include <pcl/core/trinocular_grabber.h>
 #include <pcl/pipeline/compact_mapping.h>
 #include <pcl/pipeline/fingerprint.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 namespace pcl {
 
@@ -478,6 +480,9 @@ CompactMapping::compute(CompactMap& map)
   if (sequence_ && (stream_ || !clouds_.empty()))
     PCL_THROW_EXCEPTION(InitFailedException,
                         "there are a sequence and observations: give one of both");
+  std::optional<ScratchMemory> scratch;
+  if (!scratch_folder_.empty())
+    scratch.emplace(scratch_folder_, scratch_resident_);
   CompactMappingReport report;
   report.mode = mode_;
   StepTimer timer(report);
@@ -545,6 +550,10 @@ CompactMapping::compute(CompactMap& map)
     setRooms(makeFloorPlan(result), result);
   }
   timer.finish("texture");
+  if (scratch && scratch->getRefused() > 0)
+    report.remarks.push_back(scratch_folder_ + ": the disk is full, " +
+                             std::to_string(scratch->getRefused()) +
+                             " bytes stayed in memory");
   map = std::move(result);
   mapped_sequence_ = sequence;
   report_ = std::move(report);

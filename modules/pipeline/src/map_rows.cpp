@@ -24,17 +24,18 @@ fieldsOf(bool colored)
   return fields;
 }
 
-/** \return number of rows that were moved to the front of \a to, which may be the data
- * of the cloud itself */
+/** \param[in] step bytes of a row
+ * \return number of rows that were moved to the front of \a to, which may be \a from */
 std::size_t
-moveEveryNth(const PCLPointCloud2& cloud, std::size_t n, std::vector<std::uint8_t>& to)
+moveEveryNth(const std::uint8_t* from,
+             std::size_t rows,
+             std::size_t step,
+             std::size_t n,
+             std::uint8_t* to)
 {
-  const std::size_t rows = cloud.data.size() / cloud.point_step;
   std::size_t kept = 0;
   for (std::size_t row = 0; row < rows; row += n, ++kept)
-    std::memmove(&to[kept * cloud.point_step],
-                 &cloud.data[row * cloud.point_step],
-                 cloud.point_step);
+    std::memmove(to + kept * step, from + row * step, step);
   return kept;
 }
 
@@ -59,13 +60,13 @@ countFinite(const PointView& points, std::size_t before)
 } // namespace
 
 MapRows::MapRows(std::size_t points, bool colored, CostCallback cost)
-: cloud_(layoutWith(PCLPointCloud2(), fieldsOf(colored)))
+: layout_(layoutWith(PCLPointCloud2(), fieldsOf(colored)))
 , colored_(colored)
 , cost_(std::move(cost))
-, announced_(points * cloud_.point_step)
+, announced_(points * layout_.point_step)
 {
   announce(announced_);
-  cloud_.data.reserve(announced_);
+  rows_.reserve(announced_);
 }
 
 void
@@ -78,7 +79,7 @@ MapRows::announce(std::size_t bytes) const
 void
 MapRows::reserve(std::size_t points)
 {
-  cloud_.data.reserve(std::min(points, maximum_) * cloud_.point_step);
+  rows_.reserve(std::min(points, maximum_) * layout_.point_step);
 }
 
 void
@@ -87,23 +88,23 @@ MapRows::append(const PointCloudFile& observation,
                 std::int32_t view)
 {
   const PointView points = observation.points();
-  const std::size_t bytes = cloud_.data.size() + points.size() * cloud_.point_step;
+  const std::size_t bytes = rows_.size() + points.size() * layout_.point_step;
   if (bytes > announced_)
     announce(bytes);
   const std::vector<std::size_t> befores = countFinite(points, seen_);
   seen_ = befores.back();
-  cloud_.data.resize((seen_ + every_ - 1) / every_ * cloud_.point_step);
+  rows_.resize((seen_ + every_ - 1) / every_ * layout_.point_step);
   const PCLPointField* const color = colored_ ? findColor(observation.cloud) : nullptr;
   const auto write = [&](std::size_t i, const Eigen::Vector3f& point, std::size_t row) {
     const Eigen::Vector3f place = (T_map_camera * point.cast<double>()).cast<float>();
-    std::uint8_t* const to = &cloud_.data[row * cloud_.point_step];
+    std::uint8_t* const to = &rows_[row * layout_.point_step];
     std::memcpy(to, place.data(), 3 * sizeof(float));
     if (color)
       std::memcpy(
           to + 3 * sizeof(float),
           &observation.cloud.data[i * observation.cloud.point_step + color->offset],
           sizeof(std::uint32_t));
-    std::memcpy(to + cloud_.point_step - sizeof view, &view, sizeof view);
+    std::memcpy(to + layout_.point_step - sizeof view, &view, sizeof view);
   };
   parallelForChunks(points.size(), [&](std::size_t begin, std::size_t end) {
     std::size_t before = befores[begin / parallel_chunk];
@@ -113,26 +114,25 @@ MapRows::append(const PointCloudFile& observation,
         write(i, point, (before - 1) / every_);
     }
   });
-  while (cloud_.data.size() / cloud_.point_step > maximum_) {
-    cloud_.data.resize(moveEveryNth(cloud_, 2, cloud_.data) * cloud_.point_step);
+  while (size() > maximum_) {
+    const std::size_t step = layout_.point_step;
+    rows_.resize(moveEveryNth(rows_.data(), size(), step, 2, rows_.data()) * step);
     every_ *= 2;
   }
 }
 
-PCLPointCloud2
+CloudRows
 MapRows::finish()
 {
-  resizeRows(cloud_, cloud_.data.size() / cloud_.point_step);
-  return std::move(cloud_);
+  return CloudRows(std::move(layout_), std::move(rows_));
 }
 
 PCLPointCloud2
-everyNth(const PCLPointCloud2& cloud, std::size_t n)
+everyNth(const CloudRows& cloud, std::size_t n)
 {
-  const std::size_t rows = cloud.data.size() / cloud.point_step;
-  PCLPointCloud2 thinned = layoutWith(cloud, {});
-  resizeRows(thinned, (rows + n - 1) / n);
-  moveEveryNth(cloud, n, thinned.data);
+  PCLPointCloud2 thinned = layoutWith(cloud.layout(), {});
+  resizeRows(thinned, (cloud.size() + n - 1) / n);
+  moveEveryNth(cloud.data(), cloud.size(), thinned.point_step, n, thinned.data.data());
   return thinned;
 }
 

@@ -1,5 +1,6 @@
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/large_memory.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_merging.h>
@@ -93,13 +94,12 @@ ObservationMerging::merge(const ObservationSequence& sequence, MergedCloud& merg
   if (poses.empty())
     throw InputFileException("none of the observations can be read");
   sequence.requireDifferent(poses);
-  const auto file = std::make_shared<PointCloudFile>();
   report.every = rows.every();
-  file->cloud = rows.finish();
+  result.cloud = rows.finish();
   report.observations = poses.size();
-  report.points = acmap::rowsOf(file->cloud);
-  result.cloud = file;
+  report.points = result.cloud.size();
   merged = std::move(result);
+  acmap::returnFreeMemory();
   report_ = std::move(report);
 }
 

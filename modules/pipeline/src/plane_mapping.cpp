@@ -4,6 +4,7 @@
 #include <pcl/core/cylinder_rims.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/large_memory.h>
 #include <pcl/core/impl/mesh_input.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/pipeline/picture.h>
@@ -101,11 +102,17 @@ namespace {
 /** One run of the steps. */
 class PlaneMappingRun {
 public:
+  /** \param[in] rows points
+   * \param[in] file sensor and remarks of the rows */
   PlaneMappingRun(const PlaneMapping& mapping,
+                  const CloudRows& rows,
+                  const PointCloudFile& file,
                   const CostCallback& cost,
                   ProgressCallback progress,
                   PlaneMappingReport& report)
   : mapping_(mapping)
+  , rows_(rows)
+  , file_(file)
   , cost_(cost)
   , progress_(std::move(progress))
   , report_(report)
@@ -113,34 +120,33 @@ public:
   {}
 
   MappedPlanes
-  fromMesh(const std::shared_ptr<const PointCloudFile>& cloud, TriangleMesh mesh)
+  fromMesh(TriangleMesh mesh)
   {
     MappedPlanes result;
-    result.vertices = *cloud;
+    takeRows(result.vertices);
     result.mesh = std::move(mesh);
     const VertexCloud::Ptr vertices = verticesOf(result.vertices);
     vote(vertices, {}, result);
-    cluster(vertices, nullptr, {}, result);
-    result.labels = result.vertex_labels;
-    findCylinders(vertices, nullptr, {}, result);
-    result.cylinder_labels = result.vertex_cylinders;
+    cluster(vertices, {}, {}, result);
+    result.labels = copyOf(result.vertex_labels);
+    findCylinders(vertices, {}, {}, result);
+    result.cylinder_labels = copyOf(result.vertex_cylinders);
     result.finite_points = report_.votes->vertices - report_.votes->invalid_points;
     return result;
   }
 
   MappedPlanes
-  inSpace(const std::shared_ptr<const PointCloudFile>& cloud,
-          const std::vector<Eigen::Vector3f>& viewpoints)
+  inSpace(const std::vector<Eigen::Vector3f>& viewpoints)
   {
     MappedPlanes result;
-    const bool names_views = findField(cloud->cloud, "view", PCLPointField::INT32);
+    const bool names_views = findField(rows_.layout(), "view", PCLPointField::INT32);
     const std::vector<Eigen::Vector3f> sensors =
-        names_views ? viewpoints : std::vector<Eigen::Vector3f>{cloud->sensor_origin};
+        names_views ? viewpoints : std::vector<Eigen::Vector3f>{file_.sensor_origin};
     Indices vertex_of_point;
     const bool is_consolidated =
-        consolidate(cloud, names_views, sensors, result, vertex_of_point);
+        consolidate(names_views, sensors, result, vertex_of_point);
     if (!is_consolidated)
-      result.vertices = *cloud;
+      takeRows(result.vertices);
     const VertexCloud::Ptr vertices = verticesOf(result.vertices);
     triangulate(vertices, result);
     // the consolidation has already oriented its normals, and the mesh, towards the
@@ -150,10 +156,10 @@ public:
     const bool sensors_fit = !is_consolidated || report_.consolidation->sensors_fit;
     const std::vector<Eigen::Vector3f> known_sensors =
         sensors_fit ? sensors : std::vector<Eigen::Vector3f>();
-    cluster(vertices, sharedCloud(cloud), known_sensors, result);
+    cluster(vertices, rows_, known_sensors, result);
     if (!mapping_.getClustering().getNoiseDriven())
       result.labels = labelsOf(result.vertex_labels, vertex_of_point, is_consolidated);
-    findCylinders(vertices, sharedCloud(cloud), known_sensors, result);
+    findCylinders(vertices, rows_, known_sensors, result);
     result.finite_points =
         is_consolidated
             ? report_.consolidation->points - report_.consolidation->invalid_points
@@ -162,7 +168,7 @@ public:
   }
 
   MappedPlanes
-  inPicture(const std::shared_ptr<const PointCloudFile>& cloud, const Picture& picture)
+  inPicture(const Picture& picture)
   {
     MappedPlanes result;
     PlaneMapping::DepthSegmentation segmentation = mapping_.getDepthSegmentation();
@@ -171,24 +177,25 @@ public:
     segmentation.segment(result.planes);
     report_.depth_planes = segmentation.getReport();
     addRemarks(*report_.depth_planes);
-    timer_.finish("planes");
+    finish("planes");
     const std::vector<std::int32_t>& labels = segmentation.getLabels();
-    result.labels = picture.order ? picture.order->labelsOfPoints(labels) : labels;
+    result.labels =
+        copyOf(picture.order ? picture.order->labelsOfPoints(labels) : labels);
     result.finite_points =
         report_.depth_planes->points - report_.depth_planes->invalid_points;
-    result.vertices.remarks = cloud->remarks;
+    result.vertices.remarks = file_.remarks;
     const bool needs_mesh = mapping_.getComputeCylinders() ||
                             (mapping_.getComputeMesh() && !result.planes.empty());
     if (!needs_mesh)
       return result;
-    refine(cloud, picture.order, labels, result);
+    refine(picture.order, labels, result);
     const VertexCloud::Ptr vertices = verticesOf(result.vertices);
     triangulate(vertices, result);
     for (Vertex& vertex : *vertices)
       vertex.view = 0;
-    vote(vertices, {cloud->sensor_origin}, result);
+    vote(vertices, {file_.sensor_origin}, result);
     result.vertex_labels = labels;
-    findCylinders(vertices, sharedCloud(cloud), {cloud->sensor_origin}, result);
+    findCylinders(vertices, rows_, {file_.sensor_origin}, result);
     return result;
   }
 
@@ -203,16 +210,23 @@ public:
     prepare(fitting, 1, 1);
     fitting.segment(result.boxes);
     report_.boxes = fitting.getReport();
-    timer_.finish("boxes");
+    finish("boxes");
     RecessFitting recess_fitting;
     recess_fitting.setPlanes(result.planes);
     prepare(recess_fitting, 1, 1);
     recess_fitting.segment(result.recesses);
     report_.recesses = recess_fitting.getReport();
-    timer_.finish("recesses");
+    finish("recesses");
   }
 
 private:
+  void
+  finish(const char* step)
+  {
+    timer_.finish(step);
+    returnFreeMemory();
+  }
+
   template <typename Step>
   void
   prepare(Step& step, double from, double to)
@@ -231,8 +245,7 @@ private:
   /** \return true if the cloud was consolidated: the vertices are then the consolidated
    * points */
   bool
-  consolidate(const std::shared_ptr<const PointCloudFile>& cloud,
-              bool names_views,
+  consolidate(bool names_views,
               const std::vector<Eigen::Vector3f>& sensors,
               MappedPlanes& result,
               Indices& vertex_of_point)
@@ -242,23 +255,23 @@ private:
     PlaneMapping::Consolidation consolidation = mapping_.getConsolidation();
     if (mapping_.getConsolidationPolicy() == ConsolidationPolicy::WhereNoisy) {
       report_.noise_scale =
-          measureNoiseScale(cloud->points(),
-                            sensorsOf(cloud->cloud, sensors, cloud->sensor_origin),
+          measureNoiseScale(requirePoints(rows_),
+                            sensorsOf(rows_, sensors, file_.sensor_origin),
                             mapping_.getNumberOfThreads());
       if (report_.noise_scale->inverse_depth)
         report_.remarks.push_back(report_.noise_scale->remarks.front());
-      timer_.finish("noise scale");
+      finish("noise scale");
       if (!needsConsolidation(*report_.noise_scale))
         return false;
       const double automatic = automaticVoxel(*report_.noise_scale);
       if (consolidation.getVoxelSize() == 0 && automatic <= max_voxel)
         consolidation.setVoxelSize(automatic); // else the class measures it again
     }
-    consolidation.setInputCloud(sharedCloud(cloud));
+    consolidation.setInputCloud(rows_);
     if (names_views)
       consolidation.setViewpoints(sensors);
     else
-      consolidation.setSensorOrigin(cloud->sensor_origin);
+      consolidation.setSensorOrigin(file_.sensor_origin);
     consolidation.setKeepSources(!mapping_.getClustering().getNoiseDriven());
     prepare(consolidation, 0, 0.3);
     consolidation.filter(result.vertices.cloud);
@@ -266,30 +279,29 @@ private:
     report_.consolidated_points = report_.consolidation->representatives;
     addRemarks(*report_.consolidation);
     vertex_of_point = consolidation.getVoxelOfPoint();
-    result.vertices.sensor_origin = cloud->sensor_origin;
-    result.vertices.sensor_orientation = cloud->sensor_orientation;
-    result.vertices.remarks = cloud->remarks;
-    timer_.finish("consolidate");
+    result.vertices.sensor_origin = file_.sensor_origin;
+    result.vertices.sensor_orientation = file_.sensor_orientation;
+    result.vertices.remarks = file_.remarks;
+    finish("consolidate");
     return true;
   }
 
   void
-  refine(const std::shared_ptr<const PointCloudFile>& cloud,
-         const std::optional<PictureOrder>& order,
+  refine(const std::optional<PictureOrder>& order,
          const std::vector<std::int32_t>& labels,
          MappedPlanes& result)
   {
     PlaneMapping::Refinement refinement;
+    const auto cloud = std::make_shared<const PCLPointCloud2>(rows_.copy());
     refinement.setInputCloud(
-        order ? std::make_shared<const PCLPointCloud2>(order->arrange(cloud->cloud))
-              : sharedCloud(cloud));
+        order ? std::make_shared<const PCLPointCloud2>(order->arrange(*cloud)) : cloud);
     refinement.setPlanes(result.planes, labels);
     prepare(refinement, 0.4, 0.5);
     refinement.filter(result.vertices.cloud);
     report_.refinement = refinement.getReport();
-    result.vertices.sensor_origin = cloud->sensor_origin;
-    result.vertices.sensor_orientation = cloud->sensor_orientation;
-    timer_.finish("refine");
+    result.vertices.sensor_origin = file_.sensor_origin;
+    result.vertices.sensor_orientation = file_.sensor_orientation;
+    finish("refine");
   }
 
   void
@@ -321,7 +333,7 @@ private:
       construction->reconstruct(polygons);
       result.mesh.triangles = trianglesOf(polygons);
     }
-    timer_.finish("triangulate");
+    finish("triangulate");
   }
 
   void
@@ -343,12 +355,12 @@ private:
     report_.votes = voting.getReport();
     if (result.spacing == 0)
       result.spacing = report_.votes->mean_edge;
-    timer_.finish("votes");
+    finish("votes");
   }
 
   void
   cluster(const VertexCloud::Ptr& vertices,
-          const PCLPointCloud2ConstPtr& source,
+          const CloudRows& source,
           const std::vector<Eigen::Vector3f>& sensors,
           MappedPlanes& result)
   {
@@ -369,14 +381,14 @@ private:
     result.vertex_labels = clustering.getLabels();
     if (has_source)
       result.labels = clustering.getSourceLabels();
-    timer_.finish("planes");
+    finish("planes");
   }
 
   /** Replaces planes by cylinders, if these are requested.
    * \param[in] source the cloud of the input, or null */
   void
   findCylinders(const VertexCloud::Ptr& vertices,
-                const PCLPointCloud2ConstPtr& source,
+                const CloudRows& source,
                 const std::vector<Eigen::Vector3f>& sensors,
                 MappedPlanes& result)
   {
@@ -386,9 +398,8 @@ private:
     clustering.setInputCloud(vertices);
     clustering.setInputNormals(result.normals);
     clustering.setTriangles(result.mesh);
-    clustering.setPlanes(result.planes,
-                         result.vertex_labels,
-                         source ? result.labels : std::vector<std::int32_t>());
+    clustering.setPlanes(
+        result.planes, result.vertex_labels, source ? result.labels : PointLabels());
     if (source)
       clustering.setSourceCloud(source, sensors);
     if (source && !sensors.empty() && isInMetres(report_.noise_scale))
@@ -403,17 +414,33 @@ private:
     if (!result.cylinders.empty())
       joinAtCylinders(
           rimTolerance(*report_.cylinders), result.cylinders, result.planes);
-    timer_.finish("cylinders");
+    finish("cylinders");
   }
 
-  static std::vector<std::int32_t>
+  /** Sets the vertices to the points of the input. */
+  void
+  takeRows(PointCloudFile& vertices) const
+  {
+    vertices.cloud = rows_.copy();
+    vertices.sensor_origin = file_.sensor_origin;
+    vertices.sensor_orientation = file_.sensor_orientation;
+    vertices.remarks = file_.remarks;
+  }
+
+  static PointLabels
+  copyOf(const std::vector<std::int32_t>& labels)
+  {
+    return PointLabels(labels.begin(), labels.end());
+  }
+
+  static PointLabels
   labelsOf(const std::vector<std::int32_t>& of_vertices,
            const Indices& vertex_of_point,
            bool is_consolidated)
   {
     if (!is_consolidated)
-      return of_vertices;
-    std::vector<std::int32_t> labels;
+      return copyOf(of_vertices);
+    PointLabels labels;
     labels.reserve(vertex_of_point.size());
     for (const index_t vertex : vertex_of_point)
       labels.push_back(vertex < 0 ? -1 : of_vertices[static_cast<std::size_t>(vertex)]);
@@ -421,6 +448,8 @@ private:
   }
 
   const PlaneMapping& mapping_;
+  const CloudRows& rows_;
+  const PointCloudFile& file_;
   const CostCallback& cost_;
   ProgressCallback progress_;
   PlaneMappingReport& report_;
@@ -438,7 +467,15 @@ PlaneMapping::setInputCloud(std::shared_ptr<const PointCloudFile> cloud)
 {
   if (!cloud)
     PCL_THROW_EXCEPTION(InitFailedException, "the input cloud is a null pointer");
+  rows_ = sharedCloud(cloud);
   input_ = std::move(cloud);
+}
+
+void
+PlaneMapping::setInputCloud(const CloudRows& rows)
+{
+  rows_ = rows;
+  input_ = std::make_shared<const PointCloudFile>();
 }
 
 void
@@ -473,24 +510,22 @@ PlaneMapping::setMeshConstruction(const MeshConstruction<Vertex>::Ptr& construct
 void
 PlaneMapping::compute(MappedPlanes& result)
 {
-  if (!input_)
-    PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
-  requirePoints(sharedCloud(input_));
+  const PointView points = requirePoints(rows_);
   PlaneMappingReport report;
   report.mode = mode_;
   MappedPlanes found;
-  PlaneMappingRun run(*this, cost_callback_, progress_, report);
+  PlaneMappingRun run(*this, rows_, *input_, cost_callback_, progress_, report);
   if (!input_mesh_.triangles.empty()) {
-    requireCornersInside(input_mesh_.triangles, input_->points().size());
-    found = run.fromMesh(input_, input_mesh_);
+    requireCornersInside(input_mesh_.triangles, points.size());
+    found = run.fromMesh(input_mesh_);
   }
   else if (const std::optional<Picture> picture =
                policy_ == ConsolidationPolicy::WhereNoisy
-                   ? pictureOf(input_->points(), input_->cloud.width, sensor_)
+                   ? pictureOf(points, rows_.layout().width, sensor_)
                    : std::nullopt)
-    found = run.inPicture(input_, *picture);
+    found = run.inPicture(*picture);
   else
-    found = run.inSpace(input_, viewpoints_);
+    found = run.inSpace(viewpoints_);
   run.findBoxes(found);
   result = std::move(found);
   report_ = std::move(report);

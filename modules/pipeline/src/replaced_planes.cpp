@@ -25,8 +25,9 @@ numbersWithout(std::vector<CylinderPatch>& cylinders, std::size_t planes)
   return numbers;
 }
 
+template <typename Labels>
 void
-renumber(const std::vector<std::int32_t>& numbers, std::vector<std::int32_t>& labels)
+renumberAll(const std::vector<std::int32_t>& numbers, Labels& labels)
 {
   for (std::int32_t& label : labels)
     if (label >= 0)
@@ -62,8 +63,8 @@ removeReplacedPlanes(MappedPlanes& mapped)
       renumber(numbers, polygon);
   }
   mapped.planes = std::move(kept);
-  renumber(numbers, mapped.labels);
-  renumber(numbers, mapped.vertex_labels);
+  renumberAll(numbers, mapped.labels);
+  renumberAll(numbers, mapped.vertex_labels);
 }
 
 } // namespace pcl::acmap

@@ -11,7 +11,7 @@ viewOfObservation(const TexturedObservation& observation)
   ColoredView view;
   view.points = requirePoints(observation.cloud);
   const PCLPointCloud2& cloud = *observation.cloud;
-  view.colors = colorsOf(cloud);
+  view.colors = colorsOf(observation.cloud);
   if (const PCLPointField* const field = findField(cloud, "intensity");
       field && !cloud.data.empty())
     view.intensities = {

@@ -78,7 +78,7 @@ findPlanesAt(const PlaneInput& input, double distance)
     for (const PlanePatch& patch : clusters.patches)
       found.planes.push_back(patch.coefficients);
     if (!clusters.source_labels.empty())
-      found.labels = std::move(clusters.source_labels);
+      found.labels.assign(clusters.source_labels.begin(), clusters.source_labels.end());
     return found;
   });
 }

@@ -121,13 +121,13 @@ private:
 
 } // namespace
 
-std::vector<Candidate>
+LargeVector<Candidate>
 makeCandidates(const VoxelWindows& windows,
                const SurfaceFits& fits,
                const SensorView& sensors)
 {
   const CandidateMaker maker(windows, sensors);
-  std::vector<Candidate> candidates(windows.size() + fits.second.size());
+  LargeVector<Candidate> candidates(windows.size() + fits.second.size());
   parallelForChunks(windows.size(), [&](std::size_t begin, std::size_t end) {
     auto second = std::lower_bound(
         fits.second.begin(), fits.second.end(), begin, [](const auto& fit, auto voxel) {

@@ -20,7 +20,7 @@ struct Candidate {
 /** \brief Moves the mean of the points of each voxel along the normal onto its surface.
  * \return in ascending order of voxels, the second side of a voxel after its first one
  */
-std::vector<Candidate>
+LargeVector<Candidate>
 makeCandidates(const VoxelWindows& windows,
                const SurfaceFits& fits,
                const SensorView& sensors);

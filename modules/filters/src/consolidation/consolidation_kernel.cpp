@@ -254,7 +254,7 @@ consolidatePoints(const PointView& points,
     timer.finish("surfaces");
 
     progress.tell(0.8, "representatives");
-    const std::vector<Candidate> candidates = makeCandidates(windows, fits, sensors);
+    const LargeVector<Candidate> candidates = makeCandidates(windows, fits, sensors);
     fits = {};
     const Thinning thinning = thinOut(candidates, edge);
     result.representatives.reserve(thinning.kept.size());

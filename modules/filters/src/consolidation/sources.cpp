@@ -9,7 +9,7 @@ namespace pcl::acmap {
 
 std::vector<std::int32_t>
 representativesOfCells(const VoxelWindows& windows,
-                       const std::vector<Candidate>& candidates,
+                       const LargeVector<Candidate>& candidates,
                        const Thinning& thinning)
 {
   const auto& cells = windows.voxels().cells;

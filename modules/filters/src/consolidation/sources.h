@@ -9,7 +9,7 @@ namespace pcl::acmap {
  */
 std::vector<std::int32_t>
 representativesOfCells(const VoxelWindows& windows,
-                       const std::vector<Candidate>& candidates,
+                       const LargeVector<Candidate>& candidates,
                        const Thinning& thinning);
 
 /** \brief Sets the colour of each representative to the mean of the points that it

@@ -42,7 +42,7 @@ pointsOf(const VoxelMoments& voxels, const std::vector<WindowPart>& parts)
 }
 
 NoiseProfile
-fitWidest(const VoxelWindows& windows, std::vector<SurfaceFit>& fits)
+fitWidest(const VoxelWindows& windows, LargeVector<SurfaceFit>& fits)
 {
   fits.resize(windows.size());
   const VoxelMoments& voxels = windows.voxels();

@@ -26,7 +26,7 @@ struct SurfaceFit {
 
 /** \brief The surfaces of all voxels; most voxels have one. */
 struct SurfaceFits {
-  std::vector<SurfaceFit> first; ///< one per voxel
+  LargeVector<SurfaceFit> first; ///< one per voxel
 
   /** Second surface of the voxels that were seen from both sides, in ascending order of
    * voxels. */

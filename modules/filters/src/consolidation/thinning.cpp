@@ -38,7 +38,7 @@ isCloser(const Conflict& a, const Conflict& b)
 
 class ConflictSearch {
 public:
-  ConflictSearch(const std::vector<Candidate>& candidates, double edge)
+  ConflictSearch(const LargeVector<Candidate>& candidates, double edge)
   : candidates_(candidates)
   , edge_(edge)
   , hash_(candidates.size(), static_cast<float>(min_distance_of_strays * edge))
@@ -91,13 +91,13 @@ private:
     return std::pair(candidates_[a].strayed, a) < std::pair(candidates_[b].strayed, b);
   }
 
-  const std::vector<Candidate>& candidates_;
+  const LargeVector<Candidate>& candidates_;
   double edge_; // metres
   PointHash hash_;
 };
 
 std::vector<std::uint32_t>
-orderOf(const std::vector<Candidate>& candidates)
+orderOf(const LargeVector<Candidate>& candidates)
 {
   std::vector<std::uint32_t> order(candidates.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -114,7 +114,7 @@ orderOf(const std::vector<Candidate>& candidates)
 /** Decides one candidate after the other which of them are kept.
  * \return for each candidate the closest kept one that displaces it, -1 if it is kept */
 std::vector<std::int32_t>
-displacements(const std::vector<Candidate>& candidates,
+displacements(const LargeVector<Candidate>& candidates,
               const std::vector<Conflict>& conflicts)
 {
   std::vector<std::size_t> begins(candidates.size() + 1, 0);
@@ -138,7 +138,7 @@ displacements(const std::vector<Candidate>& candidates,
 } // namespace
 
 Thinning
-thinOut(const std::vector<Candidate>& candidates, double edge)
+thinOut(const LargeVector<Candidate>& candidates, double edge)
 {
   const std::vector<std::int32_t> displaced_by =
       displacements(candidates, ConflictSearch(candidates, edge).run());

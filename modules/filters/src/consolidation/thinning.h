@@ -21,6 +21,6 @@ struct Thinning {
  * \param[in] candidates the candidates
  * \param[in] edge of a voxel, metres */
 Thinning
-thinOut(const std::vector<Candidate>& candidates, double edge);
+thinOut(const LargeVector<Candidate>& candidates, double edge);
 
 } // namespace pcl::acmap

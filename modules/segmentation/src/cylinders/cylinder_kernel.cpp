@@ -100,16 +100,15 @@ RawCloud
 rawCloudOf(const PointView& points,
            const SensorView& sensors,
            const std::vector<PlanePatch>& planes,
-           const std::vector<std::int32_t>& labels,
+           PointLabels labels,
            const std::optional<NoiseScale>& known_scale,
            double sigma)
 {
   RawCloud cloud{points, sensors, {}, {}, {}, 0, sigma};
-  reserveLarge(cloud.labels, points.size());
   if (labels.empty())
     cloud.labels.assign(points.size(), -1);
   else {
-    cloud.labels = labels;
+    cloud.labels = std::move(labels);
     cloud.planes = planes;
     cloud.is_bent.assign(cloud.planes.size(), 0);
   }
@@ -160,7 +159,7 @@ fitAwayFromPlanes(const RawCloud& source,
 bool
 refitToSource(const RawCloud& source,
               const SourceBlocks& blocks,
-              const std::vector<std::int32_t>& owners,
+              const PointLabels& owners,
               const GrownCylinder& grown,
               RawCylinder& cylinder)
 {
@@ -267,8 +266,12 @@ searchRaw(const PlaneHypotheses& hypotheses,
   RawCloud cloud =
       planes.labels.empty()
           ? findRawPlanes(points, sensors, settings.sigma, settings.threads, progress)
-          : rawCloudOf(
-                points, sensors, planes.patches, planes.labels, {}, settings.sigma);
+          : rawCloudOf(points,
+                       sensors,
+                       planes.patches,
+                       PointLabels(planes.labels.begin(), planes.labels.end()),
+                       {},
+                       settings.sigma);
   if (!(cloud.sigma > 0))
     cloud.sigma = local_noise; // everything is too curved for planes
   report.spacing = cloud.spacing;
@@ -352,9 +355,11 @@ sortByArea(CylinderClusters& clusters)
     sorted.push_back(std::move(clusters.patches[from]));
   }
   clusters.patches = std::move(sorted);
-  for (std::vector<std::int32_t>* labels : {&clusters.labels, &clusters.source_labels})
-    for (std::int32_t& label : *labels)
-      label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
+  const auto renumber = [&](std::int32_t& label) {
+    label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
+  };
+  std::for_each(clusters.labels.begin(), clusters.labels.end(), renumber);
+  std::for_each(clusters.source_labels.begin(), clusters.source_labels.end(), renumber);
 }
 
 } // namespace
@@ -387,7 +392,7 @@ clusterCylinders(const PlaneHypotheses& hypotheses,
     else
       searchSurface(hypotheses, source, planes, settings, progress, clusters, report);
     if (is_raw && isSame(hypotheses.points, source.points))
-      clusters.source_labels = clusters.labels;
+      clusters.source_labels.assign(clusters.labels.begin(), clusters.labels.end());
     timer.finish("cylinders");
     sortByArea(clusters);
     report.templates = shareRadii(clusters.patches);

@@ -77,7 +77,7 @@ SourceBlocks::SourceBlocks(const RawCloud& source)
 }
 
 PointsBeside
-SourceBlocks::beside(const std::vector<std::int32_t>& owners,
+SourceBlocks::beside(const PointLabels& owners,
                      const std::vector<std::int32_t>& replaced,
                      const Cylinder& cylinder,
                      const CylinderReach& reach) const

@@ -28,7 +28,7 @@ public:
   /** \param[in] owners cylinder of each point of the source, -1 for none
    * \param[in] replaced planes that the cylinder replaces */
   PointsBeside
-  beside(const std::vector<std::int32_t>& owners,
+  beside(const PointLabels& owners,
          const std::vector<std::int32_t>& replaced,
          const Cylinder& cylinder,
          const CylinderReach& reach) const;

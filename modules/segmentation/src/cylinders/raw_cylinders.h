@@ -14,7 +14,7 @@ struct RawCloud {
   PointView points;
   SensorView sensors;
   std::vector<PlanePatch> planes;
-  std::vector<std::int32_t> labels;  ///< plane of each point, -1 for none
+  PointLabels labels;                ///< plane of each point, -1 for none
   std::vector<std::uint8_t> is_bent; ///< planes that bend by more than their noise
   double spacing = 0;                ///< metres
   double sigma = 0;                  ///< metres; along the rays where sensors are known

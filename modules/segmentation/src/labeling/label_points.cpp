@@ -235,7 +235,7 @@ void
 settleDrift(const Verdicts& verdicts,
             const std::vector<std::int32_t>& numbers,
             const Survey& survey,
-            std::vector<std::int32_t> labels,
+            PointLabels labels,
             const Scenery& scenery,
             const std::vector<Eigen::Vector3d>& guesses,
             KnownPlanes& known)
@@ -256,7 +256,7 @@ settleDrift(const Verdicts& verdicts,
   for (std::int32_t& label : labels) // the other planes are not fitted
     if (label >= 0 && drift[static_cast<std::size_t>(label)] == 0)
       label = -1;
-  const PlaneMembers members(labels, wide.size());
+  const PlaneMembers members(labels.data(), labels.size(), wide.size());
   fitPlanes(
       sumPlanes(survey, members, scenery.grid, scenery.noise, wide), guesses, wide);
   for (std::size_t p = 0; p < wide.size(); ++p) {
@@ -281,14 +281,14 @@ settle(const LabelingLimits& limits,
   constexpr std::size_t max_of_a_voxel = 24;
   const Survey survey = all.thinned(max_of_a_voxel, grid);
   const Junctions junctions(known, grid);
-  std::vector<std::int32_t> labels;
+  PointLabels labels;
   std::optional<PlaneMembers> members;
   std::vector<PlaneSums> sums;
   constexpr int rounds = 2;
   for (int round = 0; round < rounds; ++round) {
     progress.tell(0.4 + 0.2 * round, "labels");
     labels = RayLabels(grid, noise, junctions, known.planes).chooseAll(survey);
-    members.emplace(labels, known.planes.size());
+    members.emplace(labels.data(), labels.size(), known.planes.size());
     sums = sumPlanes(survey, *members, grid, noise, known.planes);
     fitPlanes(sums, guesses, known.planes);
   }
@@ -317,13 +317,12 @@ settle(const LabelingLimits& limits,
 
 void
 finish(const Scenery& scenery,
-       const std::vector<std::int32_t>& labels,
+       const PlaneMembers& members,
        const std::vector<Eigen::Vector3d>& guesses,
        int coarseness,
        KnownPlanes& known)
 {
   const auto& [grid, survey, noise] = scenery;
-  const PlaneMembers members(labels, known.planes.size());
   std::vector<PlaneSums> sums = sumPlanes(survey, members, grid, noise, known.planes);
   centerFrames(sums, known.planes); // parts may have been merged since the last fit
   sumClusters(survey, members, grid, noise, known.planes, coarseness, sums);
@@ -333,7 +332,7 @@ finish(const Scenery& scenery,
 } // namespace
 } // namespace labeling
 
-std::vector<std::int32_t>
+PointLabels
 labelPoints(const PointView& points,
             const SensorView& sensors,
             const LabelingLimits& limits,
@@ -343,7 +342,7 @@ labelPoints(const PointView& points,
 {
   using namespace labeling;
   if (known.planes.empty())
-    return std::vector<std::int32_t>(points.size(), -1);
+    return PointLabels(points.size(), -1);
   StepTimer timer(report);
   std::vector<Eigen::Vector3d> guesses = normalsOf(known.planes);
   Scenery scenery(points, sensors, known);
@@ -352,10 +351,13 @@ labelPoints(const PointView& points,
   timer.finish("labels");
   progress.tell(0.8, "fits");
   const Junctions junctions(known, scenery.grid);
-  std::vector<std::int32_t> labels =
-      RayLabels(scenery.grid, scenery.noise, junctions, known.planes)
-          .chooseAll(scenery.survey);
-  finish(scenery, labels, guesses, limits.coarseness, known);
+  PointLabels labels = RayLabels(scenery.grid, scenery.noise, junctions, known.planes)
+                           .chooseAll(scenery.survey);
+  finish(scenery,
+         PlaneMembers(labels.data(), labels.size(), known.planes.size()),
+         guesses,
+         limits.coarseness,
+         known);
   gatherStragglers(limits.stray, scenery.grid, known);
   timer.finish("fits");
   return labels;
@@ -371,7 +373,11 @@ fitLabeled(const PointView& points,
   if (known.planes.empty())
     return;
   const Scenery scenery(points, sensors, known);
-  finish(scenery, known.labels, normalsOf(known.planes), limits.coarseness, known);
+  finish(scenery,
+         PlaneMembers(known.labels.data(), known.labels.size(), known.planes.size()),
+         normalsOf(known.planes),
+         limits.coarseness,
+         known);
   gatherStragglers(limits.stray, scenery.grid, known);
 }
 

@@ -3,6 +3,7 @@
 #include "planes/known_planes.h"
 
 #include <pcl/core/progress.h>
+#include <pcl/core/scratch_memory.h>
 #include <pcl/core/sensor_view.h>
 #include <pcl/segmentation/plane_clustering_types.h>
 
@@ -22,7 +23,7 @@ struct LabelingLimits {
  * hypotheses are updated.
  * \param[in,out] known in: as grown; out: the remaining planes
  * \return for each point its plane, -1 for none */
-std::vector<std::int32_t>
+PointLabels
 labelPoints(const PointView& points,
             const SensorView& sensors,
             const LabelingLimits& limits,

@@ -8,16 +8,17 @@
 
 namespace pcl::acmap::labeling {
 
-PlaneMembers::PlaneMembers(const std::vector<std::int32_t>& labels, std::size_t planes)
+PlaneMembers::PlaneMembers(const std::int32_t* labels,
+                           std::size_t size,
+                           std::size_t planes)
 : first_(planes + 1, 0)
 , largest_first_(planes)
 {
   constexpr std::size_t max_parts = 64, min_part = 16384;
-  const std::size_t part =
-      std::max(min_part, (labels.size() + max_parts - 1) / max_parts);
-  std::vector<std::vector<std::size_t>> places((labels.size() + part - 1) / part);
+  const std::size_t part = std::max(min_part, (size + max_parts - 1) / max_parts);
+  std::vector<std::vector<std::size_t>> places((size + part - 1) / part);
   const auto forEachIn = [&](std::size_t p, const auto& visit) {
-    const std::size_t end = std::min((p + 1) * part, labels.size());
+    const std::size_t end = std::min((p + 1) * part, size);
     for (std::size_t i = p * part; i < end; ++i)
       if (labels[i] >= 0)
         visit(i, places[p][static_cast<std::size_t>(labels[i])]);
@@ -40,12 +41,13 @@ PlaneMembers::PlaneMembers(const std::vector<std::int32_t>& labels, std::size_t 
     });
   });
   std::iota(largest_first_.begin(), largest_first_.end(), std::size_t{0});
-  const auto size = [&](std::size_t plane) {
+  const auto members = [&](std::size_t plane) {
     return first_[plane + 1] - first_[plane];
   };
-  std::stable_sort(largest_first_.begin(),
-                   largest_first_.end(),
-                   [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
+  std::stable_sort(
+      largest_first_.begin(), largest_first_.end(), [&](std::size_t a, std::size_t b) {
+        return members(a) > members(b);
+      });
 }
 
 } // namespace pcl::acmap::labeling

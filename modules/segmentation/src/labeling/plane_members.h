@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/core/scratch_memory.h>
+
 #include <oneapi/tbb/parallel_for.h>
 
 #include <cstddef>
@@ -32,7 +34,7 @@ public:
   };
 
   /** \param[in] labels plane of each point, -1 for none */
-  PlaneMembers(const std::vector<std::int32_t>& labels, std::size_t planes);
+  PlaneMembers(const std::int32_t* labels, std::size_t size, std::size_t planes);
 
   /** Calls visit (plane, members) for each plane. */
   template <typename Visit>
@@ -50,7 +52,7 @@ public:
 
 private:
   std::vector<std::size_t> first_; ///< first member of each plane, and their number
-  std::vector<std::uint32_t> members_;
+  LargeVector<std::uint32_t> members_;
   std::vector<std::size_t> largest_first_; ///< planes
 };
 

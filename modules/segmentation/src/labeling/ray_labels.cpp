@@ -5,10 +5,10 @@
 
 namespace pcl::acmap::labeling {
 
-std::vector<std::int32_t>
+PointLabels
 RayLabels::chooseAll(const Survey& survey) const
 {
-  std::vector<std::int32_t> labels;
+  PointLabels labels;
   assignLarge(labels, survey.size(), std::int32_t{-1});
   parallelForChunks(survey.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

@@ -24,7 +24,7 @@ public:
   {}
 
   /** \return for each point its plane, -1 for none */
-  std::vector<std::int32_t>
+  PointLabels
   chooseAll(const Survey& survey) const;
 
 private:

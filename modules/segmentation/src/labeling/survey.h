@@ -63,9 +63,9 @@ private:
 
   const PointView& points_;
   const SensorView& sensors_;
-  std::vector<std::int32_t> entries_;
-  std::vector<std::uint32_t> places_; ///< indices of the points; empty for all of them
-  std::vector<std::uint32_t> counts_; ///< represented points; empty for one each
+  LargeVector<std::int32_t> entries_;
+  LargeVector<std::uint32_t> places_; ///< indices of the points; empty for all of them
+  LargeVector<std::uint32_t> counts_; ///< represented points; empty for one each
 };
 
 } // namespace pcl::acmap::labeling

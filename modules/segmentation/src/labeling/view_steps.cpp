@@ -30,14 +30,14 @@ isMovedOff(const Sight& sight,
 }
 
 /** Returns for each point the plane on which its observation saw it, -1 for none. */
-std::vector<std::int32_t>
+PointLabels
 onPlanes(const Survey& survey,
-         const std::vector<std::int32_t>& labels,
+         const PointLabels& labels,
          const CandidateGrid& grid,
          const RangeNoise& noise,
          const std::vector<KnownPlane>& planes)
 {
-  std::vector<std::int32_t> on(survey.size(), -1);
+  PointLabels on(survey.size(), -1);
   parallelForChunks(survey.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::int32_t entry = survey.entry(i);
@@ -135,15 +135,15 @@ meanOf(const std::vector<MeasuredStep>& steps)
 } // namespace
 
 ViewSteps::ViewSteps(const Survey& survey,
-                     const std::vector<std::int32_t>& labels,
+                     const PointLabels& labels,
                      const CandidateGrid& grid,
                      const RangeNoise& noise,
                      const std::vector<KnownPlane>& planes)
 : planes_(planes)
 , seen_(planes.size())
 {
-  const PlaneMembers members(onPlanes(survey, labels, grid, noise, planes),
-                             planes.size());
+  const PointLabels on = onPlanes(survey, labels, grid, noise, planes);
+  const PlaneMembers members(on.data(), on.size(), planes.size());
   members.forEachPlane([&](std::size_t plane, PlaneMembers::Range range) {
     std::map<std::int32_t, Moments> sums;
     auto last = sums.end();

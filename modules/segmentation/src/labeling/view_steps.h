@@ -20,7 +20,7 @@ constexpr double max_drift = 0.06;
 class ViewSteps {
 public:
   ViewSteps(const Survey& survey,
-            const std::vector<std::int32_t>& labels,
+            const PointLabels& labels,
             const CandidateGrid& grid,
             const RangeNoise& noise,
             const std::vector<KnownPlane>& planes);

@@ -8,7 +8,7 @@ namespace pcl::acmap {
 struct LabeledSource {
   PointView points;
   SensorView sensors;
-  const std::vector<std::int32_t>& labels; ///< plane of each point, -1 for none
+  const PointLabels& labels; ///< plane of each point, -1 for none
 };
 
 namespace outlines {

@@ -25,9 +25,11 @@ sortByArea(PlaneClusters& clusters)
       for (PolygonEdge& edge : polygon.edges)
         if (edge.neighbour >= 0)
           edge.neighbour = numbers[static_cast<std::size_t>(edge.neighbour)];
-  for (std::vector<std::int32_t>* labels : {&clusters.labels, &clusters.source_labels})
-    for (std::int32_t& label : *labels)
-      label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
+  const auto renumber = [&](std::int32_t& label) {
+    label = label < 0 ? -1 : numbers[static_cast<std::size_t>(label)];
+  };
+  std::for_each(clusters.labels.begin(), clusters.labels.end(), renumber);
+  std::for_each(clusters.source_labels.begin(), clusters.source_labels.end(), renumber);
 }
 
 } // namespace pcl::acmap::planes

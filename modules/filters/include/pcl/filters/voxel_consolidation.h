@@ -2,6 +2,7 @@
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/core/build_config.h>
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/export.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/stage_controls.h>
@@ -169,6 +170,15 @@ public:
 
   VoxelConsolidation();
 
+  using Filter<PCLPointCloud2>::setInputCloud;
+
+  /** \brief Sets rows that need not be in a PCLPointCloud2; all of them are used. */
+  void
+  setInputCloud(const CloudRows& rows)
+  {
+    rows_ = rows;
+  }
+
   /** \brief See the class of point types. */
   void
   setVoxelSize(double size);
@@ -229,6 +239,7 @@ private:
   std::optional<Eigen::Vector3f> sensor_origin_;
   bool keep_sources_ = false;
   Indices voxel_of_point_;
+  CloudRows rows_; ///< instead of the input cloud, if there are any
 };
 
 } // namespace pcl

@@ -117,6 +117,24 @@ public:
     return observation_folder_;
   }
 
+  /** \brief Sets a folder for the \ref ScratchMemory of \ref compute : arrays with a value
+   * for each point are in files, which have no names, so that the points may be more than
+   * the memory has room for (default: none).
+   * \param[in] folder that exists; empty: none
+   * \param[in] resident bytes of the files that may be in memory at the same time */
+  void
+  setScratchFolder(std::string folder, std::size_t resident = std::size_t{64} << 20)
+  {
+    scratch_folder_ = std::move(folder);
+    scratch_resident_ = resident;
+  }
+
+  const std::string&
+  getScratchFolder() const
+  {
+    return scratch_folder_;
+  }
+
   /** \brief Sets what is told while observations arrive, after \ref start. It is called
    * by the threads of this object, and by the one that adds observations when it has to
    * wait, possibly at the same time; it must not call this object. */
@@ -483,8 +501,10 @@ private:
   std::optional<std::int32_t> current_;              ///< observation of the last frame
   std::unique_ptr<acmap::ObservationStream> stream_; ///< since \ref start
   std::size_t maximum_waiting_ = 8;
-  std::string observation_folder_;  ///< of stream_; empty: memory
-  double provisional_interval_ = 5; ///< seconds
+  std::string scratch_folder_;       ///< empty: memory
+  std::size_t scratch_resident_ = 0; ///< bytes
+  std::string observation_folder_;   ///< of stream_; empty: memory
+  double provisional_interval_ = 5;  ///< seconds
   MappingStateCallback state_callback_;
   std::vector<std::shared_ptr<const PointCloudFile>> clouds_;
   std::vector<std::optional<Eigen::Isometry3d>> poses_;

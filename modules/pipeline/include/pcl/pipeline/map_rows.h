@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/export.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/pipeline/cost_callback.h>
@@ -39,7 +40,7 @@ public:
   std::size_t
   size() const
   {
-    return cloud_.data.size() / cloud_.point_step;
+    return rows_.size() / layout_.point_step;
   }
 
   /** \brief Reserves memory for this number of points, or for the maximum. */
@@ -53,16 +54,16 @@ public:
          const Eigen::Isometry3d& T_map_camera,
          std::int32_t view);
 
-  /** \brief Returns the cloud of all appended points. Nothing can be appended
-   * afterwards. */
-  PCLPointCloud2
+  /** \brief Returns all appended points. Nothing can be appended afterwards. */
+  CloudRows
   finish();
 
 private:
   void
   announce(std::size_t bytes) const;
 
-  PCLPointCloud2 cloud_;
+  PCLPointCloud2 layout_;
+  LargeVector<std::uint8_t> rows_;
   bool colored_;
   CostCallback cost_;
   std::size_t announced_; ///< bytes
@@ -71,8 +72,8 @@ private:
   std::size_t seen_ = 0; ///< finite points so far
 };
 
-/** \brief The first row and every n-th after it. */
+/** \brief The first row and every n-th after it, as an unorganized cloud. */
 ACMAP_EXPORT PCLPointCloud2
-everyNth(const PCLPointCloud2& cloud, std::size_t n);
+everyNth(const CloudRows& cloud, std::size_t n);
 
 } // namespace pcl::acmap

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/export.h>
 #include <pcl/core/report.h>
 #include <pcl/core/stage_controls.h>
@@ -17,7 +18,7 @@ namespace pcl {
 struct MergedCloud {
   /** \brief Finite points with fields `x y z rgb view`; `view` is the position of the
    * observation among the viewpoints. Metres. */
-  std::shared_ptr<const PointCloudFile> cloud;
+  CloudRows cloud;
   /** \brief Sensor positions, one per observation, metres. */
   std::vector<Eigen::Vector3f> viewpoints;
 };

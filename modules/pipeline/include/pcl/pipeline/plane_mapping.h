@@ -66,6 +66,11 @@ public:
   void
   setInputCloud(std::shared_ptr<const PointCloudFile> cloud);
 
+  /** \brief The same for rows that may be larger than the memory. Without a field `view`,
+   * their sensor is at the origin. */
+  void
+  setInputCloud(const CloudRows& rows);
+
   /** \brief The same for a cloud of a point type, which is copied.
    * \throws InitFailedException without a cloud */
   template <typename PointT>
@@ -278,7 +283,8 @@ public:
   compute(MappedPlanes& result);
 
 private:
-  std::shared_ptr<const PointCloudFile> input_;
+  CloudRows rows_;
+  std::shared_ptr<const PointCloudFile> input_; ///< sensor and remarks of the rows
   TriangleMesh input_mesh_;
   std::vector<Eigen::Vector3f> viewpoints_;
   DepthSensor sensor_ = DepthSensor::Automatic;

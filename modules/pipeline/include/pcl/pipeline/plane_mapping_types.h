@@ -7,6 +7,7 @@
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/recess_patch.h>
 #include <pcl/core/report.h>
+#include <pcl/core/scratch_memory.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/features/voting_types.h>
 #include <pcl/filters/consolidation_types.h>
@@ -44,9 +45,9 @@ enum class ConsolidationPolicy {
  *
  * \ingroup pipeline */
 struct MappedPlanes {
-  std::vector<PlanePatch> planes;   ///< in the order of decreasing area
-  std::vector<std::int32_t> labels; ///< plane of each input point, -1 for none
-  std::size_t finite_points = 0;    ///< of the input; in a picture, those with depth
+  std::vector<PlanePatch> planes; ///< in the order of decreasing area
+  PointLabels labels;             ///< plane of each input point, -1 for none
+  std::size_t finite_points = 0;  ///< of the input; in a picture, those with depth
 
   /** \brief Vertices of the mesh with all fields of the input: the consolidated cloud,
    * or the input itself. Empty, except for the remarks, if no mesh was made. */
@@ -61,7 +62,7 @@ struct MappedPlanes {
    * \ref PlaneMapping::setComputeCylinders was called. The planes for which they stand
    * are not among the planes. */
   std::vector<CylinderPatch> cylinders;
-  std::vector<std::int32_t> cylinder_labels;  ///< cylinder of each input point, or -1
+  PointLabels cylinder_labels;                ///< cylinder of each input point, or -1
   std::vector<std::int32_t> vertex_cylinders; ///< the same for each vertex
 
   /** \brief Furniture, crates and pillars, in the order of decreasing volume, if

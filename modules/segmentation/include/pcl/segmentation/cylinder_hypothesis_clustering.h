@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pcl/PCLPointCloud2.h>
 #include <pcl/Vertices.h>
 #include <pcl/core/build_config.h>
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/cylinder_patch.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/point_fields.h>
@@ -89,7 +89,7 @@ public:
   void
   setPlanes(std::vector<PlanePatch> planes,
             std::vector<std::int32_t> labels,
-            std::vector<std::int32_t> source_labels = {})
+            PointLabels source_labels = {})
   {
     planes_ = std::move(planes);
     plane_labels_ = std::move(labels);
@@ -121,7 +121,7 @@ public:
    * sensor alone, or none where that is unknown
    * \throws InitFailedException if it has no float32 fields x, y, z side by side */
   void
-  setSourceCloud(const PCLPointCloud2ConstPtr& cloud,
+  setSourceCloud(const CloudRows& cloud,
                  const std::vector<Eigen::Vector3f>& viewpoints = {});
 
   /** \brief Sets the noise scale of the source cloud where it has been measured before, by
@@ -181,7 +181,7 @@ public:
 
   /** \brief For each point of the source cloud the number of its cylinder; empty without
    * a source cloud. */
-  const std::vector<std::int32_t>&
+  const PointLabels&
   getSourceLabels() const
   {
     return source_labels_;
@@ -206,7 +206,7 @@ private:
   std::vector<TriangleMesh::Triangle> triangles_;
   std::vector<PlanePatch> planes_;
   std::vector<std::int32_t> plane_labels_;
-  std::vector<std::int32_t> plane_source_labels_;
+  PointLabels plane_source_labels_;
   shared_ptr<const void> source_;
   acmap::PointView source_points_;
   acmap::SensorView source_sensors_;
@@ -216,7 +216,7 @@ private:
   double sigma_ = 0;
   std::optional<NoiseScale> source_scale_;
   std::vector<std::int32_t> labels_;
-  std::vector<std::int32_t> source_labels_;
+  PointLabels source_labels_;
 };
 
 template <typename PointT>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pcl/PCLPointCloud2.h>
 #include <pcl/Vertices.h>
 #include <pcl/core/build_config.h>
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/point_fields.h>
 #include <pcl/core/plane_patch.h>
@@ -111,7 +111,7 @@ public:
    * sensor alone, or none where that is unknown
    * \throws InitFailedException if it has no float32 fields x, y, z side by side */
   void
-  setSourceCloud(const PCLPointCloud2ConstPtr& cloud,
+  setSourceCloud(const CloudRows& cloud,
                  const std::vector<Eigen::Vector3f>& viewpoints = {});
 
   /** \brief Estimates how long \ref segment will take with the paper's thresholds, which
@@ -235,7 +235,7 @@ public:
 
   /** \brief For each point of the source cloud the number of its plane; empty without a
    * source cloud. */
-  const std::vector<std::int32_t>&
+  const PointLabels&
   getSourceLabels() const
   {
     return source_labels_;
@@ -271,7 +271,7 @@ private:
   double min_area_ = 0;
   bool regularize_ = false;
   std::vector<std::int32_t> labels_;
-  std::vector<std::int32_t> source_labels_;
+  PointLabels source_labels_;
 };
 
 template <typename PointT>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/PCLPointCloud2.h>
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/export.h>
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/impl/voxel_moments.h>
@@ -66,7 +67,7 @@ resizeRows(PCLPointCloud2& cloud, std::size_t rows);
  * \throws InitFailedException if there is no cloud, if it has no float32 fields x, y, z
  * side by side or fewer bytes than it states, or if an index is outside of it */
 ACMAP_EXPORT PointView
-requirePoints(const PCLPointCloud2ConstPtr& cloud, const Indices* indices = nullptr);
+requirePoints(const CloudRows& cloud, const Indices* indices = nullptr);
 
 /** \brief Returns the sensor positions of the points of a cloud, valid as long as the
  * cloud is unchanged: the viewpoint given by their int32 field `view`, or, if there is
@@ -74,7 +75,7 @@ requirePoints(const PCLPointCloud2ConstPtr& cloud, const Indices* indices = null
  * \param[in] origin the position for clouds without a field `view`
  * \param[in] indices of rows, nullptr for all of them */
 ACMAP_EXPORT SensorView
-sensorsOf(const PCLPointCloud2& cloud,
+sensorsOf(const CloudRows& cloud,
           const std::vector<Eigen::Vector3f>& viewpoints,
           const std::optional<Eigen::Vector3f>& origin,
           const Indices* indices = nullptr);
@@ -82,7 +83,7 @@ sensorsOf(const PCLPointCloud2& cloud,
 /** \brief Returns the colours of a cloud, valid as long as it is unchanged; empty if it
  * has none. */
 ACMAP_EXPORT ColorView
-colorsOf(const PCLPointCloud2& cloud);
+colorsOf(const CloudRows& cloud);
 
 inline std::size_t
 rowsOf(const PCLPointCloud2& cloud)

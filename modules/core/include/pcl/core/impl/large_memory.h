@@ -13,33 +13,39 @@ namespace pcl::acmap {
 ACMAP_EXPORT void
 adviseLargePages(void* begin, std::size_t bytes);
 
+/** \brief Returns memory that the heap keeps for later to the system: between steps, whose
+ * arrays have different sizes, it would not be used again. */
+ACMAP_EXPORT void
+returnFreeMemory();
+
 /** \brief Reserves memory for \a count values that are appended soon. */
-template <typename Value>
+template <typename Vector>
 void
-reserveLarge(std::vector<Value>& values, std::size_t count)
+reserveLarge(Vector& values, std::size_t count)
 {
   values.reserve(count);
-  adviseLargePages(values.data(), values.capacity() * sizeof(Value));
+  adviseLargePages(values.data(), values.capacity() * sizeof(values[0]));
 }
 
 /** \brief Replaces the content of a vector by \a count copies of a value. */
-template <typename Value>
+template <typename Vector>
 void
-assignLarge(std::vector<Value>& values, std::size_t count, const Value& value)
+assignLarge(Vector& values, std::size_t count, const typename Vector::value_type& value)
 {
   reserveLarge(values, count);
   values.assign(count, value);
 }
 
-/** \brief Memory from the system itself; small blocks from the heap.
+/** \brief Memory from the system itself, in a file if a ScratchMemory is in effect; small
+ * blocks are from the heap.
  * \throws std::bad_alloc */
-void*
+ACMAP_EXPORT void*
 allocateFromSystem(std::size_t bytes);
 
-void
+ACMAP_EXPORT void
 returnToSystem(void* memory, std::size_t bytes);
 
-/** \brief Allocator of large temporary arrays. Unlike the heap, which keeps the memory of
+/** \brief Allocator of large arrays. Unlike the heap, which keeps the memory of
  * each thread for later, it returns them to the system as soon as they are released. */
 template <typename Value>
 struct SystemAllocator {

@@ -82,8 +82,8 @@ public:
 
 private:
   const VoxelMoments& voxels_;
-  std::vector<std::size_t> begins_;
-  std::vector<VoxelKey> keys_; // of the cells, close to each other in memory
+  LargeVector<std::size_t> begins_;
+  LargeVector<VoxelKey> keys_; // of the cells, close to each other in memory
 };
 
 /** \brief Sums the parts selected by a predicate; the origin is the centre of the

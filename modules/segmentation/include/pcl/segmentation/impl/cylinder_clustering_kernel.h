@@ -23,14 +23,14 @@ struct CylinderClusteringSettings {
 /** \brief Planes that cylinders may replace. */
 struct GivenPlanes {
   std::vector<PlanePatch> patches;
-  std::vector<std::int32_t> labels;        ///< for each hypothesis; may be empty
-  std::vector<std::int32_t> source_labels; ///< for each point of the source, or empty
+  std::vector<std::int32_t> labels; ///< for each hypothesis; may be empty
+  const PointLabels& source_labels; ///< for each point of the source, or empty
 };
 
 struct CylinderClusters {
   std::vector<CylinderPatch> patches; ///< by decreasing area
   std::vector<std::int32_t> labels;   ///< for each hypothesis its patch, -1 for none
-  std::vector<std::int32_t> source_labels; ///< the same for each point of the source
+  PointLabels source_labels;          ///< the same for each point of the source
 };
 
 /** \brief The kernel of CylinderHypothesisClustering, independent of PCL's point types.

@@ -53,14 +53,14 @@ CylinderHypothesisClustering<PointT>::setSourceScale(const NoiseScale& scale)
 template <typename PointT>
 void
 CylinderHypothesisClustering<PointT>::setSourceCloud(
-    const PCLPointCloud2ConstPtr& cloud, const std::vector<Eigen::Vector3f>& viewpoints)
+    const CloudRows& cloud, const std::vector<Eigen::Vector3f>& viewpoints)
 {
   acmap::requireViewpoints(viewpoints);
   source_scale_.reset();
-  source_ = cloud;
+  source_ = std::make_shared<const CloudRows>(cloud);
   source_points_ = cloud ? acmap::requirePoints(cloud) : acmap::PointView();
   source_sensors_ = cloud && !viewpoints.empty()
-                        ? acmap::sensorsOf(*cloud, viewpoints, viewpoints.front())
+                        ? acmap::sensorsOf(cloud, viewpoints, viewpoints.front())
                         : acmap::SensorView();
   viewpoints_ = cloud ? viewpoints : std::vector<Eigen::Vector3f>();
 }
@@ -100,12 +100,13 @@ CylinderHypothesisClustering<PointT>::requireInputs() const
                   plane_source_labels_.size(),
                   source_points_.size());
   const auto size = static_cast<std::int32_t>(planes_.size());
-  for (const std::vector<std::int32_t>* labels :
-       {&plane_labels_, &plane_source_labels_})
-    for (const std::int32_t label : *labels)
-      if (label < -1 || label >= size)
-        PCL_THROW_EXCEPTION(InitFailedException,
-                            "there is no plane " << label << ", only " << size);
+  const auto requirePlane = [size](std::int32_t label) {
+    if (label < -1 || label >= size)
+      PCL_THROW_EXCEPTION(InitFailedException,
+                          "there is no plane " << label << ", only " << size);
+  };
+  std::for_each(plane_labels_.begin(), plane_labels_.end(), requirePlane);
+  std::for_each(plane_source_labels_.begin(), plane_source_labels_.end(), requirePlane);
 }
 
 template <typename PointT>

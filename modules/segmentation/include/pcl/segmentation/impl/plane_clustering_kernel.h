@@ -4,6 +4,7 @@
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/plane_patch.h>
 #include <pcl/core/progress.h>
+#include <pcl/core/scratch_memory.h>
 #include <pcl/core/sensor_view.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/segmentation/plane_clustering_types.h>
@@ -55,7 +56,7 @@ struct PlaneSource {
 struct PlaneClusters {
   std::vector<PlanePatch> patches;  ///< by decreasing area; 0 without a mesh
   std::vector<std::int32_t> labels; ///< for each hypothesis its patch, -1 for none
-  std::vector<std::int32_t> source_labels; ///< the same for each point of the source
+  PointLabels source_labels;        ///< the same for each point of the source
 };
 
 /** \brief Is a normal of unit length, but for rounding? */

@@ -103,13 +103,13 @@ PlaneHypothesisClustering<PointT>::gatherNormals() const
 template <typename PointT>
 void
 PlaneHypothesisClustering<PointT>::setSourceCloud(
-    const PCLPointCloud2ConstPtr& cloud, const std::vector<Eigen::Vector3f>& viewpoints)
+    const CloudRows& cloud, const std::vector<Eigen::Vector3f>& viewpoints)
 {
   acmap::requireViewpoints(viewpoints);
-  source_ = cloud;
+  source_ = std::make_shared<const CloudRows>(cloud);
   source_points_ = cloud ? acmap::requirePoints(cloud) : acmap::PointView();
   source_sensors_ = cloud && !viewpoints.empty()
-                        ? acmap::sensorsOf(*cloud, viewpoints, viewpoints.front())
+                        ? acmap::sensorsOf(cloud, viewpoints, viewpoints.front())
                         : acmap::SensorView();
   viewpoints_ = cloud ? viewpoints : std::vector<Eigen::Vector3f>();
 }

@@ -1,0 +1,262 @@
+#include "scratch_pages.h"
+
+#include <pcl/core/exceptions.h>
+#include <pcl/core/scratch_memory.h>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace pcl {
+
+namespace acmap {
+namespace {
+
+constexpr std::size_t min_resident = std::size_t{16} << 20; // bytes
+
+/** \return descriptor of a new file without a name, or -1 */
+int
+openNameless(const std::string& folder)
+{
+#ifdef O_TMPFILE
+  const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (file >= 0)
+    return file;
+#endif
+  std::string name = folder + "/.acmap-scratch-XXXXXX"; // of file systems without them
+  const int named = ::mkostemp(name.data(), O_CLOEXEC);
+  if (named >= 0)
+    ::unlink(name.c_str());
+  return named;
+}
+
+/** \brief Bytes of all mapped files, those of the program included, that are in memory. */
+std::size_t
+residentOfFiles()
+{
+  std::FILE* const table = std::fopen("/proc/self/statm", "re");
+  if (!table)
+    return 0;
+  unsigned long size = 0, resident = 0, of_files = 0;
+  const int read = std::fscanf(table, "%lu %lu %lu", &size, &resident, &of_files);
+  std::fclose(table);
+  return read == 3 ? of_files * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) : 0;
+}
+
+/** All blocks of this process that are in files. */
+class ScratchBlocks {
+public:
+  static ScratchBlocks&
+  all()
+  {
+    static auto* const blocks = new ScratchBlocks; // arrays may outlive static objects
+    return *blocks;
+  }
+
+  void
+  add(void* memory, std::size_t bytes)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    blocks_[memory] = bytes;
+  }
+
+  /** The lock is kept meanwhile: \ref release must never see what is mapped next at that
+   * address. */
+  void
+  unmap(void* memory, std::size_t bytes)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    blocks_.erase(memory);
+    ::munmap(memory, bytes);
+  }
+
+  /** Takes all pages out of this process. Their content stays in the files. */
+  void
+  release()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const auto& [memory, bytes] : blocks_)
+      ::madvise(memory, bytes, MADV_DONTNEED);
+  }
+
+private:
+  std::mutex mutex_;
+  std::map<void*, std::size_t> blocks_;
+};
+
+} // namespace
+
+/** What is in effect while a ScratchMemory exists. */
+class ScratchScope {
+public:
+  ScratchScope(std::string folder, std::size_t resident)
+  : folder_(std::move(folder))
+  , resident_(resident)
+  , watch_([this] { watch(); })
+  {}
+
+  ~ScratchScope()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      is_over_ = true;
+    }
+    over_.notify_one();
+    watch_.join();
+  }
+
+  void*
+  map(std::size_t bytes)
+  {
+    const int file = openNameless(folder_);
+    // Without this, a full disk would end the process when a page is written.
+    const bool has_room =
+        file >= 0 && ::posix_fallocate(file, 0, static_cast<off_t>(bytes)) == 0;
+    void* const memory =
+        has_room ? ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0)
+                 : MAP_FAILED;
+    if (file >= 0)
+      ::close(file);
+    if (memory == MAP_FAILED) {
+      refused += bytes;
+      return nullptr;
+    }
+    ScratchBlocks::all().add(memory, bytes);
+    this->bytes += bytes;
+    return memory;
+  }
+
+  std::atomic<std::size_t> bytes{0};
+  std::atomic<std::size_t> refused{0};
+
+private:
+  void
+  watch()
+  {
+    constexpr std::chrono::milliseconds pause(2);
+    std::size_t before = residentOfFiles(); // the program itself
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (!over_.wait_for(lock, pause, [this] { return is_over_; })) {
+      const std::size_t now = residentOfFiles();
+      before = std::min(before, now);
+      if (now - before < resident_)
+        continue;
+      ScratchBlocks::all().release();
+      before = residentOfFiles();
+    }
+  }
+
+  std::string folder_;
+  std::size_t resident_;
+  std::mutex mutex_;
+  std::condition_variable over_;
+  bool is_over_ = false;
+  std::thread watch_; // the last member: it uses the others
+};
+
+namespace {
+
+/** The scopes that exist; the last one is in effect. */
+class ScratchScopes {
+public:
+  using ScopePointer = std::shared_ptr<ScratchScope>;
+
+  static ScratchScopes&
+  all()
+  {
+    static auto* const scopes = new ScratchScopes;
+    return *scopes;
+  }
+
+  void
+  add(const ScopePointer& scope)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    scopes_.push_back(scope);
+    is_any_ = true;
+  }
+
+  void
+  remove(const ScopePointer& scope)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    scopes_.erase(std::find(scopes_.begin(), scopes_.end(), scope));
+    is_any_ = !scopes_.empty();
+  }
+
+  ScopePointer
+  last()
+  {
+    if (!is_any_)
+      return nullptr;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return scopes_.empty() ? nullptr : scopes_.back();
+  }
+
+private:
+  std::mutex mutex_;
+  std::vector<ScopePointer> scopes_;
+  std::atomic<bool> is_any_{false};
+};
+
+} // namespace
+
+void*
+mapScratch(std::size_t bytes)
+{
+  const std::shared_ptr<ScratchScope> scope = ScratchScopes::all().last();
+  return scope ? scope->map(bytes) : nullptr;
+}
+
+void
+unmapLarge(void* memory, std::size_t bytes)
+{
+  ScratchBlocks::all().unmap(memory, bytes);
+}
+
+} // namespace acmap
+
+ScratchMemory::ScratchMemory(const std::string& folder, std::size_t resident)
+{
+  if (resident < acmap::min_resident)
+    throw BadArgumentException("scratch memory needs at least 16 MB, " +
+                               std::to_string(resident) + " bytes were given");
+  const int file = acmap::openNameless(folder);
+  if (file < 0)
+    throw OutputFileException(folder + ": " + std::strerror(errno));
+  ::close(file);
+  scope_ = std::make_shared<acmap::ScratchScope>(folder, resident);
+  acmap::ScratchScopes::all().add(scope_);
+}
+
+ScratchMemory::~ScratchMemory()
+{
+  acmap::ScratchScopes::all().remove(scope_);
+}
+
+std::size_t
+ScratchMemory::getBytes() const
+{
+  return scope_->bytes;
+}
+
+std::size_t
+ScratchMemory::getRefused() const
+{
+  return scope_->refused;
+}
+
+} // namespace pcl
