@@ -140,8 +140,13 @@ run(const Options& options, const RunControls& controls, StageLog& log)
   timer.finish("read");
   stopIfInterrupted();
 
-  const pcl::MappedPlanes found = extractPlanes(
-      options, file, std::move(viewpoints), controls, log, std::move(triangles));
+  const pcl::MappedPlanes found = extractPlanes(options,
+                                                sharedCloud(file),
+                                                file,
+                                                std::move(viewpoints),
+                                                controls,
+                                                log,
+                                                std::move(triangles));
   log.warn(file->remarks);
   log.warn(lengthRemarks(found.vertices.points(), found.spacing, controls.scale));
   requirePlanes(options.input, found, log);

@@ -69,7 +69,7 @@ paint(const Options& options,
                        log);
   const auto cloud = std::make_shared<const pcl::PointCloudFile>(
       loadScaledCloud(options.observations, controls.scale));
-  return paintPlanes(surfaces, cloud, options.texture, controls, log);
+  return paintPlanes(surfaces, sharedCloud(cloud), options.texture, controls, log);
 }
 
 void

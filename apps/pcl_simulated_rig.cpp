@@ -6,6 +6,7 @@
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/simulation/repeated_scene.h>
 #include <pcl/simulation/scene_file.h>
 #include <pcl/simulation/simulated_light.h>
 #include <pcl/simulation/simulated_observation.h>
@@ -15,6 +16,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
+#include <string>
 #include <utility>
 
 namespace {
@@ -33,6 +36,7 @@ struct SimulationOptions {
   bool clouds = false;
   std::string sensor = stereo_sensor; ///< sensor that measures the clouds
   bool all_points = false;            ///< instead of the scene's number
+  std::size_t columns = 1, rows = 1;  ///< copies of the scene in the building
   std::string merged;
 };
 
@@ -125,6 +129,25 @@ addCloudOptions(CLI::App& app, SimulationOptions& options)
       options.all_points,
       "With --clouds, every pixel that sees a surface in reach becomes a point, "
       "however many points the scene asks for");
+  app.add_option_function<std::string>(
+         "--repeat",
+         [&options](const std::string& text) {
+           const std::size_t by = text.find('x');
+           options.columns = std::stoul(text.substr(0, by));
+           options.rows = std::stoul(text.substr(by + 1));
+         },
+         "With --clouds, a building of N by M copies of the scene, each with noise of "
+         "its "
+         "own")
+      ->type_name("NxM")
+      ->default_str("")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            return std::regex_match(text, std::regex("[1-9][0-9]{0,2}x[1-9][0-9]{0,2}"))
+                       ? std::string()
+                       : "'" + text + "' is no number of columns and rows, such as 3x2";
+          },
+          ""));
   app.add_option("--merged",
                  options.merged,
                  "With --clouds, write all points as one cloud too: x y z rgb view "
@@ -163,7 +186,7 @@ requireSense(Tool& tool, const SimulationOptions& options)
       throw UsageError(std::string(name) + " names nothing");
   }
   if (!options.clouds)
-    for (const char* const name : {"--merged", "--sensor", "--all-points"})
+    for (const char* const name : {"--merged", "--sensor", "--all-points", "--repeat"})
       if (tool.options().count(name) > 0)
         throw UsageError(std::string(name) + " needs --clouds");
   if (options.clouds)
@@ -209,11 +232,6 @@ openScene(SimulationOptions& options, StageLog& log)
   std::size_t& views = options.settings.observations;
   views = pcl::trajectoryOf(filmed.scene, views ? views : filmed.scene.views.size())
               .poses.size();
-  // coordinates, colour, view, label, and the same for the copy as a cloud
-  constexpr std::size_t bytes_per_point = 48;
-  if (!options.merged.empty())
-    requireMemory(filmed.scene.mostPointsOfView() * views * bytes_per_point,
-                  "the merged cloud");
   if (!options.cameras.empty())
     for (const std::string& remark : setBuiltCameras(options.cameras, filmed))
       log.warn(options.cameras + ": " + remark);
@@ -237,33 +255,84 @@ checkPlaces(const Tool& tool,
     throw UsageError(options.merged + ": would be one of the session's own files");
 }
 
+/** The points of all views, in files: a building has more than the memory has room for. */
+class MergedRows {
+public:
+  explicit MergedRows(const pcl::Trajectory& trajectory)
+  {
+    part_.trajectory = trajectory;
+  }
+
+  void
+  append(const pcl::SimulatedObservation& observation, std::size_t view)
+  {
+    pcl::appendObservation(observation, view, part_);
+    const pcl::PCLPointCloud2 cloud = pcl::cloudOf(part_);
+    rows_.insert(rows_.end(), cloud.data.begin(), cloud.data.end());
+    part_.points.clear();
+    part_.rgb.clear();
+    part_.view.clear();
+    part_.label.clear();
+  }
+
+  pcl::CloudRows
+  finish()
+  {
+    return pcl::CloudRows(pcl::cloudOf(part_), std::move(rows_));
+  }
+
+private:
+  pcl::MergedObservations part_; ///< of one view
+  pcl::LargeVector<std::uint8_t> rows_;
+};
+
+/** Measures a view of one copy of the scene.
+ * \param[in] scene without its copies */
+pcl::SimulatedObservation
+observeCopy(const pcl::SimulatedScene& scene, std::size_t view, std::uint64_t seed)
+{
+  const std::size_t copy = view / scene.views.size();
+  pcl::SimulatedObservation observation =
+      pcl::observe(scene, view % scene.views.size(), seed + copy);
+  const auto first = static_cast<std::uint32_t>(copy * scene.geometry.planes().size());
+  for (pcl::ObservationPixel& pixel : observation.pixels)
+    if (pixel.label > 0)
+      pixel.label += first;
+  return observation;
+}
+
+/** \param[in] scene without its copies
+ * \param[in] trajectory of all views of all copies */
 Counts
 writeObservations(const SimulationOptions& options,
                   const pcl::SimulatedScene& scene,
+                  const pcl::Trajectory& trajectory,
                   const OutputFolder& folder,
                   const RunControls& controls,
-                  pcl::MergedObservations& merged)
+                  MergedRows& merged)
 {
   Counts counts;
-  counts.points.of_label.resize(scene.geometry.planes().size() + 1);
-  counts.observations = merged.trajectory.poses.size();
+  counts.points.of_label.resize(
+      options.columns * options.rows * scene.geometry.planes().size() + 1);
+  counts.observations = trajectory.poses.size();
   const Progress told(controls.progress);
   for (std::size_t view = 0; view < counts.observations; ++view) {
     told.tell(static_cast<double>(view) / static_cast<double>(counts.observations),
               "observing");
     const pcl::SimulatedObservation observation = withThreads(controls.threads, [&] {
-      return pcl::observe(scene, view, options.settings.seed);
+      return observeCopy(scene, view, options.settings.seed);
     });
     saveObservation(folder.path(observationName(view)),
                     pcl::cloudOf(observation),
-                    merged.trajectory.poses[view]);
+                    trajectory.poses[view]);
     if (!options.merged.empty())
-      pcl::appendObservation(observation, view, merged);
+      merged.append(observation, view);
     counts.points.all += observation.points;
     for (const pcl::ObservationPixel& pixel : observation.pixels)
       ++counts.points.of_label[pixel.label];
     if (!scene.depth_camera && !options.all_points &&
-        observation.points < scene.sensor.pointsOfView(view) && counts.sparse++ == 0)
+        observation.points < scene.sensor.pointsOfView(view % scene.views.size()) &&
+        counts.sparse++ == 0)
       counts.first_sparse =
           observationName(view) + " with " + std::to_string(observation.points);
   }
@@ -300,23 +369,29 @@ makeClouds(const SimulationOptions& options,
            StageLog& log)
 {
   StepTimer timer(log.report);
-  pcl::MergedObservations merged;
-  merged.trajectory = pcl::trajectoryOf(scene, options.settings.observations);
-  const Counts counts = writeObservations(options, scene, folder, controls, merged);
+  const pcl::ScratchMemory scratch(folder.path(""), residentScratch());
+  pcl::SimulatedScene filmed = scene; // as far as it is filmed
+  filmed.views.resize(options.settings.observations);
+  const pcl::SimulatedScene building =
+      pcl::repeatedScene(filmed, options.columns, options.rows);
+  const pcl::Trajectory trajectory = pcl::trajectoryOf(building, building.views.size());
+  MergedRows merged(trajectory);
+  const Counts counts =
+      writeObservations(options, filmed, trajectory, folder, controls, merged);
   if (counts.points.all == 0)
     throw NothingFound(options.scene + ": no view sees anything in reach");
   timer.finish("observe");
 
-  pcl::saveTrajectory(folder.path(trajectory_name), merged.trajectory);
+  pcl::saveTrajectory(folder.path(trajectory_name), trajectory);
   pcl::saveTrinocularRig(folder.path(rig_name), scene.rig);
   Json truth = truthHead(scene, options.settings.seed, counts.observations);
   truth["points"] = counts.points.all;
   addSensor(scene, truth);
-  truth["planes"] = truthPlanes(scene, counts.points);
+  truth["planes"] = truthPlanes(building, counts.points);
   saveJson(folder.path(truth_name), truth, 1);
   stopIfInterrupted();
   if (!options.merged.empty())
-    pcl::savePointCloud(options.merged, pcl::cloudOf(merged));
+    pcl::savePointCloud(options.merged, merged.finish());
   folder.commit();
   timer.finish("write");
 

@@ -105,7 +105,8 @@ mapSequence(const ChainOptions& options,
     timer.finish("read");
     PlaneOptions planes = options.planes;
     planes.sensor = sensorOfMerged(planes.sensor, merged.viewpoints.size());
-    result.found = extractPlanes(planes, merged, controls, log);
+    result.found =
+        extractPlanes(planes, merged.cloud, nullptr, merged.viewpoints, controls, log);
     StepTimer write_timer(log.report);
     savePointCloud(folder.path("map.pcd"), thinned(merged.cloud));
     write_timer.finish("write");
@@ -127,18 +128,18 @@ Mapped
 mapCloud(const ChainOptions& options, const RunControls& controls, StageLog& log)
 {
   StepTimer timer(log.report);
-  const auto file = std::make_shared<const PointCloudFile>(
-      loadScaledCloud(options.input, controls.scale));
+  const auto file = std::make_shared<PointCloudFile>();
+  const CloudRows rows = loadCloudRows(options.input, controls.scale, *file);
   timer.finish("read");
-  warnOfLengths(file->points(), controls, log);
+  warnOfLengths(requirePoints(rows), controls, log);
   const std::vector<Eigen::Vector3f> viewpoints =
       viewpointsOfFile(*file, options.input, controls.scale, log);
   Mapped result;
-  result.found = extractPlanes(options.planes, file, viewpoints, controls, log);
+  result.found = extractPlanes(options.planes, rows, file, viewpoints, controls, log);
   requirePlanes(options.input, result.found, log);
   StepTimer paint_timer(log.report);
   result.map =
-      paintPlanes(surfacesOf(result.found), file, options.texture, controls, log);
+      paintPlanes(surfacesOf(result.found), rows, options.texture, controls, log);
   paint_timer.finish("paint");
   return result;
 }

@@ -281,7 +281,7 @@ writeOutputs(const RectificationOptions& options,
     }
   }
   if (options.write_map)
-    savePointCloud(folder.path("map.pcd"), map.finish().copy());
+    savePointCloud(folder.path("map.pcd"), map.finish());
   saveTrajectory(folder.path(trajectory_name), {observations.trajectory.stamps, poses});
   saveTrajectory(folder.path("trajectory_before.txt"), observations.trajectory);
   const RgbImage image_before = before.draw(plan_before, red);

@@ -352,19 +352,21 @@ checkChoices(const PlaneOptions& options)
         "which work in space: leave it out");
 }
 
-namespace {
-
-/** \param[in] mapping with its input
- * \param[in] points of the input */
 MappedPlanes
-extract(const PlaneOptions& options,
-        PlaneMapping& mapping,
-        const PointView& points,
-        const RunControls& controls,
-        StageLog& log)
+extractPlanes(const PlaneOptions& options,
+              const CloudRows& rows,
+              const std::shared_ptr<const PointCloudFile>& file,
+              std::vector<Eigen::Vector3f> viewpoints,
+              const RunControls& controls,
+              StageLog& log,
+              TriangleMesh mesh)
 {
   if (options.voxel_size.value_or(0) > 0)
-    requireFineLength("--consolidate", *options.voxel_size, points, log);
+    requireFineLength("--consolidate", *options.voxel_size, requirePoints(rows), log);
+  PlaneMapping mapping = mappingOf(options, controls.threads);
+  mapping.setInputCloud(rows, file);
+  mapping.setInputMesh(std::move(mesh));
+  mapping.setViewpoints(std::move(viewpoints));
   mapping.setCostCallback(costCheck(controls));
   mapping.setProgressCallback(controls.progress);
   MappedPlanes found;
@@ -379,35 +381,6 @@ extract(const PlaneOptions& options,
     log.warn("--sensor stereo expects noise that is even in inverse depth; where the "
              "cloud's is not, leave --sensor out");
   return found;
-}
-
-} // namespace
-
-MappedPlanes
-extractPlanes(const PlaneOptions& options,
-              const std::shared_ptr<const PointCloudFile>& cloud,
-              std::vector<Eigen::Vector3f> viewpoints,
-              const RunControls& controls,
-              StageLog& log,
-              TriangleMesh mesh)
-{
-  PlaneMapping mapping = mappingOf(options, controls.threads);
-  mapping.setInputCloud(cloud);
-  mapping.setInputMesh(std::move(mesh));
-  mapping.setViewpoints(std::move(viewpoints));
-  return extract(options, mapping, cloud->points(), controls, log);
-}
-
-MappedPlanes
-extractPlanes(const PlaneOptions& options,
-              const MergedCloud& merged,
-              const RunControls& controls,
-              StageLog& log)
-{
-  PlaneMapping mapping = mappingOf(options, controls.threads);
-  mapping.setInputCloud(merged.cloud);
-  mapping.setViewpoints(merged.viewpoints);
-  return extract(options, mapping, requirePoints(merged.cloud), controls, log);
 }
 
 void

@@ -3,7 +3,6 @@
 #include "tool.h"
 
 #include <pcl/core/compact_map.h>
-#include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping.h>
 #include <pcl/visualization/mesh_snapshot.h>
 
@@ -58,24 +57,19 @@ mappingOf(const PlaneOptions& options, unsigned threads);
 
 /** \brief Finds the planes of a cloud, or of a mesh, and reports all steps: warnings,
  * summary, JSON report and seconds.
+ * \param[in] file sensor and remarks of the rows; null if they are of several files
  * \param[in] viewpoints of a cloud with a field `view`, metres
  * \param[in] mesh whose vertices are the points of the cloud; empty: none
  * \throws UsageError if an option does not fit the cloud
  * \throws MemoryRefused when this machine has not enough memory */
 MappedPlanes
 extractPlanes(const PlaneOptions& options,
-              const std::shared_ptr<const PointCloudFile>& cloud,
+              const CloudRows& rows,
+              const std::shared_ptr<const PointCloudFile>& file,
               std::vector<Eigen::Vector3f> viewpoints,
               const RunControls& controls,
               StageLog& log,
               TriangleMesh mesh = {});
-
-/** \brief The same for merged observations. */
-MappedPlanes
-extractPlanes(const PlaneOptions& options,
-              const MergedCloud& merged,
-              const RunControls& controls,
-              StageLog& log);
 
 /** \brief Reports all steps of a mapping: warnings, summary, JSON report and seconds. */
 void

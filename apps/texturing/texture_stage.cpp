@@ -172,15 +172,14 @@ paintPlanes(const CompactMap& surfaces,
 
 CompactMap
 paintPlanes(const CompactMap& surfaces,
-            const std::shared_ptr<const PointCloudFile>& cloud,
+            const CloudRows& cloud,
             const TextureOptions& options,
             const RunControls& controls,
             StageLog& log)
 {
   Texturing texturing = texturingOf(surfaces, options, controls);
   texturing.addObservationLoader([&]() -> std::optional<TexturedObservation> {
-    return TexturedObservation{
-        sharedCloud(cloud), Eigen::Isometry3d::Identity(), 0, false};
+    return TexturedObservation{cloud, Eigen::Isometry3d::Identity(), 0, false};
   });
   CompactMap map;
   texturing.texture(map);

@@ -57,7 +57,7 @@ paintPlanes(const CompactMap& surfaces,
 /** \brief The same with the colours of one cloud in the frame of the planes. */
 CompactMap
 paintPlanes(const CompactMap& surfaces,
-            const std::shared_ptr<const PointCloudFile>& cloud,
+            const CloudRows& cloud,
             const TextureOptions& options,
             const RunControls& controls,
             StageLog& log);

@@ -164,10 +164,9 @@ requireSound(const ClusteringTask& task, const PlanePatch& patch)
   requirePolygons(task, patch);
 }
 
+template <typename Labels>
 void
-requireLabels(const ClusteringTask& task,
-              const std::vector<std::int32_t>& labels,
-              std::size_t patches)
+requireLabels(const ClusteringTask& task, const Labels& labels, std::size_t patches)
 {
   require(labels.size() == task.mesh.points.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {

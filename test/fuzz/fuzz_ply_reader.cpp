@@ -22,5 +22,7 @@ extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   readFacesFuzzed(data, size);
-  return pcl::acmap::test::readFuzzed(data, size, pcl::acmap::readPly);
+  return pcl::acmap::test::readFuzzed(data, size, [](pcl::acmap::ByteSource& source) {
+    return pcl::acmap::readPly(source);
+  });
 }

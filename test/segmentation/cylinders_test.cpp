@@ -262,7 +262,7 @@ TEST(Cylinders, planesThatAreGivenAreNotSearchedAgain)
   Cylinders clustering;
   clustering.setInputCloud(view.cloud);
   clustering.setSourceCloud(view.cloud);
-  clustering.setPlanes(planes, labels, labels);
+  clustering.setPlanes(planes, labels, PointLabels(labels.begin(), labels.end()));
   const FoundCylinders found = run(clustering);
   EXPECT_EQ(found.report.planes, 3U);
   EXPECT_EQ(found.patches.size(), 3U);

@@ -85,11 +85,11 @@ TEST(LabelPoints, joinedPartsHaveOneMiddle)
     boards.add({left, 0, 2}, 0.05 * x, 41, 0.05 * y, 21);
   KnownPlanes known = boards.known();
   PlaneClusteringReport report;
-  const std::vector<std::int32_t> labels = labelPoints(
+  const PointLabels labels = labelPoints(
       boards.points(), SensorView(), makeLimits(), Progress(), known, report);
   ASSERT_EQ(known.planes.size(), 1U);
   EXPECT_EQ(report.merged, 1U);
-  EXPECT_EQ(labels, std::vector<std::int32_t>(2 * 41 * 21, 0));
+  EXPECT_EQ(labels, PointLabels(2 * 41 * 21, 0));
   EXPECT_EQ(known.planes[0].patch.support, labels.size());
   expectCentered(known.planes[0].patch, {0, 0.5, 2});
 }

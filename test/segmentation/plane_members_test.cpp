@@ -21,7 +21,7 @@ TEST(PlaneMembers, areAllPointsOfEachPlaneInTheirOrder)
         expected[static_cast<std::size_t>(labels[i])].push_back(
             static_cast<std::uint32_t>(i));
     std::vector<int> visits(planes, 0);
-    labeling::PlaneMembers(labels, planes)
+    labeling::PlaneMembers(labels.data(), labels.size(), planes)
         .forEachPlane([&](std::size_t plane, labeling::PlaneMembers::Range members) {
           ++visits[plane];
           found[plane].assign(members.begin(), members.end());

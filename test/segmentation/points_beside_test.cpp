@@ -17,7 +17,7 @@ using namespace cylinders;
 struct BesideScene {
   std::vector<Eigen::Vector3f> points;
   RawCloud cloud;
-  std::vector<std::int32_t> owners;
+  PointLabels owners;
 
   BesideScene()
   {

@@ -143,7 +143,7 @@ TEST(Sightings, unknownSensorsAndFewRaysChangeNothing)
   source.sensors = SensorView();
   std::vector<PlaneRaster> rasters{makeBlurred()};
   EXPECT_FALSE(sharpenRims(source, noCreases(), rasters));
-  const std::vector<std::int32_t> none;
+  const PointLabels none;
   EXPECT_FALSE(
       sharpenRims({PointView(), SensorView(rays.sensor), none}, noCreases(), rasters));
   rays.points.resize(100);

@@ -20,8 +20,11 @@ CloudRows::CloudRows(PCLPointCloud2 layout, LargeVector<std::uint8_t> rows)
                                " bytes are no rows of a point of " +
                                std::to_string(layout.point_step));
   layout.data.clear();
-  layout.height = 1;
-  layout.width = static_cast<uindex_t>(rows.size() / layout.point_step);
+  const std::size_t points = rows.size() / layout.point_step;
+  if (std::size_t{layout.width} * layout.height != points) {
+    layout.height = 1;
+    layout.width = static_cast<uindex_t>(points);
+  }
   layout.row_step = layout.width * layout.point_step;
   layout_ = std::make_shared<const PCLPointCloud2>(std::move(layout));
   const auto kept = std::make_shared<const LargeVector<std::uint8_t>>(std::move(rows));

@@ -147,35 +147,34 @@ CoordinateCheck::finish(PointCloudFile& file) const
   file.remarks.push_back(remark.str());
 }
 
+// Blocks fit into the cache, and are long enough to bypass the buffer of the source.
+RecordBlocks::RecordBlocks(ByteSource& source,
+                           const FieldLayout& layout,
+                           bool swap_bytes)
+: source_(source)
+, layout_(layout)
+, swap_bytes_(swap_bytes)
+, block_(ByteSource::maximum_line / std::max<std::size_t>(layout.source_step, 1) + 1)
+, moves_(layout.moves())
+{}
+
 void
-readRecords(ByteSource& source,
-            const FieldLayout& layout,
-            bool swap_bytes,
-            std::size_t count,
-            PCLPointCloud2& cloud,
-            CoordinateCheck& check)
+RecordBlocks::read(std::size_t count, std::uint8_t* points, CoordinateCheck& check)
 {
-  const std::size_t step = layout.source_step;
-  const std::size_t x = findField(cloud, "x")->offset;
-  const bool copies = layout.same && !swap_bytes;
-  // Blocks fit into the cache, and are long enough to bypass the buffer of the source.
-  const std::size_t block =
-      std::min(count, ByteSource::maximum_line / std::max<std::size_t>(step, 1) + 1);
-  std::vector<std::uint8_t> records(copies ? 0 : block * step);
-  const auto moves = layout.moves();
-  reserveLarge(cloud.data, count * layout.point_step);
-  for (std::size_t done = 0; done < count; done += block) {
-    const std::size_t now = std::min(block, count - done);
-    cloud.data.resize((done + now) * layout.point_step);
-    std::uint8_t* const points = &cloud.data[done * layout.point_step];
-    std::uint8_t* const read = copies ? points : records.data();
-    source.read(read, now * step);
-    if (swap_bytes)
-      swapRecords(layout, read, now);
-    if (!copies)
-      moveRecords(moves, read, step, points, layout.point_step, now);
-    check.add(points + x, layout.point_step, now);
-  }
+  const std::size_t step = layout_.source_step;
+  const bool copies = layout_.same && !swap_bytes_;
+  if (!copies)
+    records_.resize(count * step);
+  std::uint8_t* const records = copies ? points : records_.data();
+  source_.read(records, count * step);
+  if (swap_bytes_)
+    swapRecords(layout_, records, count);
+  if (!copies)
+    moveRecords(moves_, records, step, points, layout_.point_step, count);
+  const auto x = std::find_if(layout_.fields.begin(),
+                              layout_.fields.end(),
+                              [](const auto& field) { return field.name == "x"; });
+  check.add(points + x->offset, layout_.point_step, count);
 }
 
 } // namespace pcl::acmap

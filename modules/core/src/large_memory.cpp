@@ -4,7 +4,9 @@
 
 #include <sys/mman.h>
 
+#ifdef __GLIBC__
 #include <malloc.h>
+#endif
 
 #include <cstdint>
 #include <new>

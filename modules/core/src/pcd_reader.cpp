@@ -55,16 +55,17 @@ readBinary(ByteSource& source,
            const PcdHeader& header,
            const FieldLayout& layout,
            PointCloudFile& file,
+           LargeVector<std::uint8_t>* rows,
            CoordinateCheck& check)
 {
   requirePointsFit(header.points, layout.source_step, source);
   describeCloud(file.cloud, layout, header.width, header.height);
-  readRecords(source,
-              layout,
-              false,
-              static_cast<std::size_t>(header.points),
-              file.cloud,
-              check);
+  RecordBlocks blocks(source, layout, false);
+  const auto points = static_cast<std::size_t>(header.points);
+  if (rows)
+    blocks.readAll(points, *rows, check);
+  else
+    blocks.readAll(points, file.cloud.data, check);
 }
 
 std::unique_ptr<std::uint8_t[]>
@@ -153,7 +154,7 @@ remarkRest(ByteSource& source, bool text, PointCloudFile& file)
 } // namespace
 
 PointCloudFile
-readPcd(ByteSource& source)
+readPcd(ByteSource& source, LargeVector<std::uint8_t>* rows)
 {
   PcdHeader header = readPcdHeader(source);
   const FieldLayout layout = planLayout(std::move(header.fields), source);
@@ -168,7 +169,7 @@ readPcd(ByteSource& source)
     check.add(file);
     break;
   case PcdHeader::Encoding::binary:
-    readBinary(source, header, layout, file, check);
+    readBinary(source, header, layout, file, rows, check);
     break;
   case PcdHeader::Encoding::binary_compressed:
     readCompressed(source, header, layout, file);

@@ -42,15 +42,18 @@ isFieldName(const std::string& name)
 }
 
 void
-requireWritable(const PCLPointCloud2& cloud)
+requireWritable(const CloudRows& rows)
 {
-  const std::size_t points = std::size_t{cloud.width} * cloud.height;
+  if (!rows)
+    throw BadArgumentException("there is no cloud to write");
+  const PCLPointCloud2& cloud = rows.layout();
+  const std::size_t points = rows.size();
   if (cloud.is_bigendian)
     throw BadArgumentException("a big-endian cloud is not written");
-  if (cloud.point_step == 0 || cloud.data.size() / cloud.point_step < points)
+  if (cloud.point_step == 0 || rows.bytes() / cloud.point_step < points)
     throw BadArgumentException("cloud has " + std::to_string(points) + " points of " +
                                std::to_string(cloud.point_step) + " bytes but " +
-                               std::to_string(cloud.data.size()) + " bytes of data");
+                               std::to_string(rows.bytes()) + " bytes of data");
   std::set<std::string> names;
   for (const PCLPointField& field : cloud.fields) {
     const std::size_t bytes = acmap::sizeOfType(field.datatype) * field.count;
@@ -118,7 +121,7 @@ textOfViewpoint(const Eigen::Vector3f& origin, const Eigen::Quaternionf& orienta
 
 void
 savePointCloud(const std::string& path,
-               const PCLPointCloud2& cloud,
+               const CloudRows& rows,
                const Eigen::Vector3f& origin,
                const Eigen::Quaternionf& orientation)
 {
@@ -126,9 +129,10 @@ savePointCloud(const std::string& path,
   if (ending != ".pcd")
     throw OutputFileException(path + ": ending '" + ending +
                               "' is not known for a cloud; pcd is");
-  requireWritable(cloud);
+  requireWritable(rows);
+  const PCLPointCloud2& cloud = rows.layout();
   const PcdRecord record(cloud);
-  const std::size_t points = std::size_t{cloud.width} * cloud.height;
+  const std::size_t points = rows.size();
   const std::string header =
       "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + record.names +
       "\n" + record.sizes + "\n" + record.types + "\n" + record.counts + "\nWIDTH " +
@@ -139,7 +143,7 @@ savePointCloud(const std::string& path,
   file.write(header.data(), header.size());
   const auto fill = [&](std::uint8_t* to, std::size_t first, std::size_t count) {
     acmap::moveRecords(record.moves,
-                       &cloud.data[first * cloud.point_step],
+                       rows.data() + first * cloud.point_step,
                        cloud.point_step,
                        to,
                        record.bytes,

@@ -60,6 +60,7 @@ public:
   void
   readVertices(const PlyElement& element,
                const FieldLayout& layout,
+               LargeVector<std::uint8_t>* large,
                PointCloudFile& file);
 
   void
@@ -148,13 +149,18 @@ PlyRows::readTextVertex(Words row,
 void
 PlyRows::readVertices(const PlyElement& element,
                       const FieldLayout& layout,
+                      LargeVector<std::uint8_t>* large,
                       PointCloudFile& file)
 {
   const auto rows = static_cast<std::size_t>(element.rows);
   CoordinateCheck check(layout.narrows);
   if (!text_ && !element.hasList()) {
     describeCloud(file.cloud, layout, rows, 1);
-    readRecords(source_, layout, swap_, rows, file.cloud, check);
+    RecordBlocks blocks(source_, layout, swap_);
+    if (large)
+      blocks.readAll(rows, *large, check);
+    else
+      blocks.readAll(rows, file.cloud.data, check);
     return check.finish(file);
   }
   shapeCloud(file.cloud, layout, rows, 1);
@@ -234,7 +240,7 @@ PlyRows::skipListed(const PlyElement& element)
 } // namespace
 
 PointCloudFile
-readPly(ByteSource& source)
+readPly(ByteSource& source, LargeVector<std::uint8_t>* points)
 {
   const PlyHeader header = readPlyHeader(source);
   PointCloudFile file;
@@ -246,7 +252,7 @@ readPly(ByteSource& source)
     }
     const FieldLayout layout = planLayout(scalarFieldsOf(element), source);
     rows.requireFit(element);
-    rows.readVertices(element, layout, file);
+    rows.readVertices(element, layout, points, file);
   }
   return file;
 }

@@ -2,10 +2,13 @@
 
 #include "field_layout.h"
 
+#include <pcl/core/impl/large_memory.h>
 #include <pcl/core/point_cloud_file.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -16,11 +19,13 @@ class ByteSource;
  *
  * A reader of n bytes takes at most 8 n bytes of memory, 450 n if the file is
  * compressed (LZF expands a byte to up to 88 bytes), plus one megabyte.
+ * \param[out] rows binary points are read into these, if they are given, instead of into
+ * the cloud, which then has no data
  * \throws InputFileException when the data do not match their header */
 PointCloudFile
-readPcd(ByteSource& source);
+readPcd(ByteSource& source, LargeVector<std::uint8_t>* rows = nullptr);
 PointCloudFile
-readPly(ByteSource& source);
+readPly(ByteSource& source, LargeVector<std::uint8_t>* rows = nullptr);
 PointCloudFile
 readObj(ByteSource& source);
 PointCloudFile
@@ -86,14 +91,36 @@ private:
   float largest_ = 0.0F; // only if narrowed
 };
 
-/** \brief Reads \a count binary records as the points of a described cloud, and adds
- * them to the check. The caller has checked that the source contains them. */
-void
-readRecords(ByteSource& source,
-            const FieldLayout& layout,
-            bool swap_bytes,
-            std::size_t count,
-            PCLPointCloud2& cloud,
-            CoordinateCheck& check);
+/** \brief Binary records of a file, which become points one block after the other. */
+class RecordBlocks {
+public:
+  RecordBlocks(ByteSource& source, const FieldLayout& layout, bool swap_bytes);
+
+  /** \brief Reads \a count records as points, and adds them to the check. The caller has
+   * checked that the source contains them.
+   * \param[out] data vector of bytes */
+  template <typename Bytes>
+  void
+  readAll(std::size_t count, Bytes& data, CoordinateCheck& check)
+  {
+    reserveLarge(data, count * layout_.point_step);
+    for (std::size_t done = 0; done < count; done += block_) {
+      const std::size_t now = std::min(block_, count - done);
+      data.resize((done + now) * layout_.point_step);
+      read(now, &data[done * layout_.point_step], check);
+    }
+  }
+
+private:
+  void
+  read(std::size_t count, std::uint8_t* points, CoordinateCheck& check);
+
+  ByteSource& source_;
+  const FieldLayout& layout_;
+  bool swap_bytes_;
+  std::size_t block_; ///< records
+  std::vector<std::uint8_t> records_;
+  std::vector<RecordMove> moves_;
+};
 
 } // namespace pcl::acmap

@@ -105,6 +105,7 @@ public:
   ScratchScope(std::string folder, std::size_t resident)
   : folder_(std::move(folder))
   , resident_(resident)
+  , before_(residentOfFiles())
   , watch_([this] { watch(); })
   {}
 
@@ -139,6 +140,21 @@ public:
     return memory;
   }
 
+  /** Takes the pages out of the process if they are more than allowed. */
+  void
+  check()
+  {
+    const std::unique_lock<std::mutex> lock(checking_, std::try_to_lock);
+    if (!lock) // another thread does it
+      return;
+    const std::size_t now = residentOfFiles();
+    before_ = std::min(before_, now);
+    if (now - before_ < resident_)
+      return;
+    ScratchBlocks::all().release();
+    before_ = std::min(before_, residentOfFiles());
+  }
+
   std::atomic<std::size_t> bytes{0};
   std::atomic<std::size_t> refused{0};
 
@@ -147,20 +163,15 @@ private:
   watch()
   {
     constexpr std::chrono::milliseconds pause(2);
-    std::size_t before = residentOfFiles(); // the program itself
     std::unique_lock<std::mutex> lock(mutex_);
-    while (!over_.wait_for(lock, pause, [this] { return is_over_; })) {
-      const std::size_t now = residentOfFiles();
-      before = std::min(before, now);
-      if (now - before < resident_)
-        continue;
-      ScratchBlocks::all().release();
-      before = residentOfFiles();
-    }
+    while (!over_.wait_for(lock, pause, [this] { return is_over_; }))
+      check();
   }
 
   std::string folder_;
   std::size_t resident_;
+  std::mutex checking_;
+  std::size_t before_; ///< bytes of mapped files that are not ours: the program
   std::mutex mutex_;
   std::condition_variable over_;
   bool is_over_ = false;
@@ -197,6 +208,12 @@ public:
     is_any_ = !scopes_.empty();
   }
 
+  bool
+  isAny() const
+  {
+    return is_any_;
+  }
+
   ScopePointer
   last()
   {
@@ -219,6 +236,17 @@ mapScratch(std::size_t bytes)
 {
   const std::shared_ptr<ScratchScope> scope = ScratchScopes::all().last();
   return scope ? scope->map(bytes) : nullptr;
+}
+
+void
+keepScratchSmall()
+{
+  constexpr unsigned often = 16;
+  static thread_local unsigned calls = 0;
+  if (!ScratchScopes::all().isAny() || ++calls % often != 0)
+    return;
+  if (const std::shared_ptr<ScratchScope> scope = ScratchScopes::all().last())
+    scope->check();
 }
 
 void

@@ -446,7 +446,7 @@ CompactMapping::load(const ObservationSequence& sequence, std::size_t i) const
   try {
     const PosedObservation seen = sequence.load(i);
     return TexturedObservation{
-        {seen.file, &seen.file->cloud}, seen.T_map_camera, sequence.stamp(i), true};
+        acmap::sharedCloud(seen.file), seen.T_map_camera, sequence.stamp(i), true};
   }
   catch (const InputFileException&) {
     if (!skip_broken_)

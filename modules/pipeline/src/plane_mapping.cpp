@@ -472,10 +472,11 @@ PlaneMapping::setInputCloud(std::shared_ptr<const PointCloudFile> cloud)
 }
 
 void
-PlaneMapping::setInputCloud(const CloudRows& rows)
+PlaneMapping::setInputCloud(const CloudRows& rows,
+                            std::shared_ptr<const PointCloudFile> file)
 {
   rows_ = rows;
-  input_ = std::make_shared<const PointCloudFile>();
+  input_ = file ? std::move(file) : std::make_shared<const PointCloudFile>();
 }
 
 void

@@ -187,4 +187,31 @@ SceneGeometry::addCylinder(const std::string& name,
               look});
 }
 
+void
+SceneGeometry::addMoved(const SceneGeometry& other,
+                        const Eigen::Vector3d& shift,
+                        const std::string& suffix)
+{
+  const auto first = static_cast<std::int32_t>(planes_.size());
+  const Eigen::Isometry3d move(Eigen::Translation3d{shift});
+  for (TruthPlane plane : other.planes_) {
+    plane = transformPlane(plane, move);
+    plane.name += suffix;
+    planes_.push_back(std::move(plane));
+  }
+  const auto moved = [&](Eigen::Vector3d& point) { point += shift; };
+  for (SimulatedSurface surface : other.surfaces_) {
+    surface.name += suffix;
+    if (surface.plane >= 0)
+      surface.plane += first;
+    if (auto* const rectangle = std::get_if<SimulatedRectangle>(&surface.shape))
+      moved(rectangle->corner);
+    else if (auto* const cylinder = std::get_if<SimulatedCylinder>(&surface.shape))
+      moved(cylinder->base);
+    else
+      moved(std::get<SimulatedDisc>(surface.shape).center);
+    surfaces_.push_back(std::move(surface));
+  }
+}
+
 } // namespace pcl

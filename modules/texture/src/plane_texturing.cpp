@@ -10,12 +10,12 @@ viewOfObservation(const TexturedObservation& observation)
 {
   ColoredView view;
   view.points = requirePoints(observation.cloud);
-  const PCLPointCloud2& cloud = *observation.cloud;
+  const PCLPointCloud2& cloud = observation.cloud.layout();
   view.colors = colorsOf(observation.cloud);
   if (const PCLPointField* const field = findField(cloud, "intensity");
-      field && !cloud.data.empty())
+      field && observation.cloud.bytes() > 0)
     view.intensities = {
-        cloud.data.data() + field->offset, cloud.point_step, field->datatype};
+        observation.cloud.data() + field->offset, cloud.point_step, field->datatype};
   const bool is_picture = observation.has_sensor && cloud.height > 1;
   view.width = is_picture ? static_cast<int>(cloud.width) : 0;
   view.has_eye = observation.has_sensor;

@@ -25,8 +25,16 @@ public:
   : CloudRows(PCLPointCloud2ConstPtr(cloud))
   {}
 
-  /** \brief The points of an unorganized cloud.
-   * \param[in] layout fields and step of a point; its data are not used
+  /** \brief The points of a cloud that must outlive this object and its copies. */
+  static CloudRows
+  of(const PCLPointCloud2& cloud)
+  {
+    return CloudRows(PCLPointCloud2ConstPtr(PCLPointCloud2ConstPtr(), &cloud));
+  }
+
+  /** \brief Rows of points.
+   * \param[in] layout fields and step of a point; width and height if these are those of
+   * the rows, else the cloud is not organized; its data are not used
    * \param[in] rows a multiple of the step
    * \throws BadArgumentException if it is none */
   CloudRows(PCLPointCloud2 layout, LargeVector<std::uint8_t> rows);

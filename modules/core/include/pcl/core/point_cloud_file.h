@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pcl/PCLPointCloud2.h>
 #include <pcl/core/build_config.h>
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
 #include <pcl/core/impl/point_view.h>
@@ -91,6 +91,15 @@ sharedCloud(const std::shared_ptr<const PointCloudFile>& file)
  * \throws InputFileException as \ref pcl::loadPointCloud */
 ACMAP_EXPORT PointCloudFile
 loadScaledCloud(const std::string& path, double scale);
+
+/** \brief Reads a cloud that may be larger than the memory, as \ref loadScaledCloud. Binary
+ * PCD and PLY go to the rows block by block; other formats are in memory before.
+ * \param[in] scale metres per unit of the file
+ * \param[out] file all that the file has, without the data of its cloud
+ * \return the points
+ * \throws InputFileException as \ref pcl::loadPointCloud */
+ACMAP_EXPORT CloudRows
+loadCloudRows(const std::string& path, double scale, PointCloudFile& file);
 
 /** \brief Multiplies x, y, z and `sigma` of all points and the position of the sensor
  * by a factor. */

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pcl/PCLPointCloud2.h>
 #include <pcl/core/build_config.h>
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
 
@@ -24,12 +24,22 @@ namespace pcl {
  * \throws OutputFileException when the file could not be written completely: another
  * extension, missing folder, no permission, disk full; an existing file of that name is
  * not changed
- * \throws BadArgumentException if the fields are not inside the data, have a name that
+ * \throws BadArgumentException if there is no cloud, the fields are not inside the data, have a name that
  * a PCD cannot store, or x y z are missing; if the pose is not valid. \ingroup core */
 ACMAP_EXPORT void
 savePointCloud(const std::string& path,
-               const PCLPointCloud2& cloud,
+               const CloudRows& cloud,
                const Eigen::Vector3f& origin = Eigen::Vector3f::Zero(),
                const Eigen::Quaternionf& orientation = Eigen::Quaternionf::Identity());
+
+/** \brief The same for a cloud that is not shared. \ingroup core */
+inline void
+savePointCloud(const std::string& path,
+               const PCLPointCloud2& cloud,
+               const Eigen::Vector3f& origin = Eigen::Vector3f::Zero(),
+               const Eigen::Quaternionf& orientation = Eigen::Quaternionf::Identity())
+{
+  savePointCloud(path, CloudRows::of(cloud), origin, orientation);
+}
 
 } // namespace pcl

@@ -66,10 +66,11 @@ public:
   void
   setInputCloud(std::shared_ptr<const PointCloudFile> cloud);
 
-  /** \brief The same for rows that may be larger than the memory. Without a field `view`,
-   * their sensor is at the origin. */
+  /** \brief The same for rows that may be larger than the memory.
+   * \param[in] file sensor and remarks of the rows; none: their sensor is at the origin */
   void
-  setInputCloud(const CloudRows& rows);
+  setInputCloud(const CloudRows& rows,
+                std::shared_ptr<const PointCloudFile> file = nullptr);
 
   /** \brief The same for a cloud of a point type, which is copied.
    * \throws InitFailedException without a cloud */

@@ -153,6 +153,14 @@ public:
               const SurfaceLook& look,
               bool caps);
 
+  /** \brief Adds all surfaces and planes of another scene.
+   * \param[in] shift by which they are moved, metres
+   * \param[in] suffix of their names */
+  void
+  addMoved(const SceneGeometry& other,
+           const Eigen::Vector3d& shift,
+           const std::string& suffix);
+
   const std::vector<SimulatedSurface>&
   surfaces() const
   {

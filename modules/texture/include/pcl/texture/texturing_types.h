@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/PCLPointCloud2.h>
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/report.h>
 
 #include <Eigen/Geometry>
@@ -55,7 +55,7 @@ visitFields(const TexturingReport& report, Visitor&& visit)
 /** \brief An observation that PlaneTexturing paints with, of any fields, as files have them.
  * \ingroup texture */
 struct TexturedObservation {
-  PCLPointCloud2ConstPtr cloud; ///< camera frame, metres; colour as `rgb` or `rgba`
+  CloudRows cloud; ///< camera frame, metres; colour as `rgb` or `rgba`
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
   double stamp = 0; ///< seconds, for the trajectory of the map
 

@@ -45,6 +45,12 @@ allocateFromSystem(std::size_t bytes);
 ACMAP_EXPORT void
 returnToSystem(void* memory, std::size_t bytes);
 
+/** \brief To be called now and then in a pass over arrays that may be in files: takes their
+ * pages out of memory if they are more than the ScratchMemory allows. Its own thread may
+ * have to wait for a processor. */
+ACMAP_EXPORT void
+keepScratchSmall();
+
 /** \brief Allocator of large arrays. Unlike the heap, which keeps the memory of
  * each thread for later, it returns them to the system as soon as they are released. */
 template <typename Value>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/impl/arena_lease.h>
+#include <pcl/core/impl/large_memory.h>
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -40,6 +41,7 @@ parallelForChunks(std::size_t size, const Body& body)
   oneapi::tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
     const std::size_t begin = chunk * parallel_chunk;
     body(begin, std::min(begin + parallel_chunk, size));
+    keepScratchSmall();
   });
 }
 
