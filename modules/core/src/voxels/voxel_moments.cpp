@@ -131,15 +131,14 @@ private:
   }
 
   void
-  addColor(std::size_t i, std::size_t cell, CellTable::Array<ColorSum>& sums) const
+  addColor(std::size_t i, std::size_t cell, ChunkedArray<ColorSum>& sums) const
   {
     std::uint32_t packed;
     const auto place = static_cast<std::size_t>(points_.index(i));
     std::memcpy(&packed,
                 static_cast<const char*>(colors_.first) + colors_.stride * place,
                 sizeof packed);
-    if (cell >= sums.size())
-      sums.resize(cell + 1);
+    sums.extendTo(cell + 1);
     sums[cell].red += (packed >> 16) & 0xff;
     sums[cell].green += (packed >> 8) & 0xff;
     sums[cell].blue += packed & 0xff;

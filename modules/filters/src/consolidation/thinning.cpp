@@ -41,11 +41,8 @@ public:
   ConflictSearch(const std::vector<Candidate>& candidates, double edge)
   : candidates_(candidates)
   , edge_(edge)
-  , hash_(candidates.size(), static_cast<float>(min_distance_of_strays * edge))
-  {
-    for (std::uint32_t c = 0; c < candidates.size(); ++c)
-      hash_.add(c, candidates[c].representative.point);
-  }
+  , hash_(entriesOf(candidates), static_cast<float>(min_distance_of_strays * edge))
+  {}
 
   /** \return in the order of the later candidates */
   std::vector<Conflict>
@@ -67,6 +64,18 @@ public:
   }
 
 private:
+  static std::vector<PointHash::Entry>
+  entriesOf(const std::vector<Candidate>& candidates)
+  {
+    std::vector<PointHash::Entry> entries(candidates.size());
+    parallelForChunks(candidates.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c)
+        entries[c] = {candidates[c].representative.point,
+                      static_cast<std::uint32_t>(c)};
+    });
+    return entries;
+  }
+
   void
   find(std::uint32_t later, std::vector<Conflict>& found) const
   {
@@ -75,13 +84,12 @@ private:
     const double radius =
         edge_ * (candidate.strayed > 0 ? min_distance_of_strays : min_distance);
     const Eigen::Vector3f& point = candidate.representative.point;
-    hash_.visitNear(point, [&](std::uint32_t earlier) {
-      const Candidate& other = candidates_[earlier];
-      const float distance = (other.representative.point - point).squaredNorm();
+    hash_.visitNear(point, [&](const PointHash::Entry& entry) {
+      const float distance = (entry.point - point).squaredNorm();
       if (static_cast<double>(distance) < radius * radius &&
-          comesBefore(earlier, later) && !areOpposite(other, candidate))
-        found.push_back({later, earlier, distance});
-      return false;
+          comesBefore(entry.name, later) &&
+          !areOpposite(candidates_[entry.name], candidate))
+        found.push_back({later, entry.name, distance});
     });
   }
 

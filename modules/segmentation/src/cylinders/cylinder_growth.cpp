@@ -287,6 +287,14 @@ ownersOfWidePlanes(const SurfaceElements& elements, const KnownFaces& faces)
   return owners;
 }
 
+/** What became of a seed. */
+struct GrownSeed {
+  std::optional<GrownCylinder> cylinder;
+
+  /** Of a region that is no cylinder; empty for a seed that did not grow. */
+  std::vector<std::int32_t> failed;
+};
+
 class CylinderSearch {
 public:
   CylinderSearch(const SurfaceElements& elements,
@@ -298,7 +306,7 @@ public:
   , lengths_(elements.sigma, elements.spacing, elements.extent)
   , owner_(ownersOfWidePlanes(elements, faces))
   , wide_(owner_)
-  , scratch_(elements.size(), no_region)
+  , scratch_([this] { return std::vector<std::int32_t>(elements_.size(), no_region); })
   , failures_(elements.size(), 0)
   , plane_sizes_(faces.planes.size(), 0)
   , plane_bits_(faces.planes.size(), 0)
@@ -348,8 +356,8 @@ private:
 
   std::vector<GrownCylinder>
   growCandidates();
-  std::optional<GrownCylinder>
-  grow(const Seed& seed);
+  GrownSeed
+  grow(const Seed& seed) const;
   bool
   isTried(const Seed& seed) const;
   void
@@ -377,9 +385,11 @@ private:
   const KnownFaces& faces_;
   CylinderLimits limits_;
   DescriptionLength lengths_;
-  std::vector<std::int32_t> owner_;   ///< taken cylinder of each element, or wide_plane
-  std::vector<std::int32_t> wide_;    ///< the same without cylinders
-  std::vector<std::int32_t> scratch_; ///< of one region; no_region between
+  std::vector<std::int32_t> owner_; ///< taken cylinder of each element, or wide_plane
+  std::vector<std::int32_t> wide_;  ///< the same without cylinders
+
+  /** Owners while a thread grows one region; no_region between. */
+  mutable oneapi::tbb::enumerable_thread_specific<std::vector<std::int32_t>> scratch_;
   std::vector<std::uint8_t>
       failures_; ///< regions of each element that were no cylinder
   std::vector<std::size_t> plane_sizes_;
@@ -387,31 +397,53 @@ private:
   std::vector<GrownCylinder> taken_;
 };
 
+/** Seeds are grown in the order of their errors, unless an earlier region has their
+ * element. What grows from a seed does not depend on other seeds: several are grown at
+ * once, and those that would not have been tried one after the other are dropped. */
 std::vector<GrownCylinder>
 CylinderSearch::growCandidates()
 {
+  const auto at_once =
+      static_cast<std::size_t>(oneapi::tbb::this_task_arena::max_concurrency());
   std::vector<std::uint8_t> is_covered(elements_.size(), 0);
+  const auto isLeft = [&](const Seed& seed) {
+    return !is_covered[static_cast<std::size_t>(seed.element)] && !isTried(seed);
+  };
+  const std::vector<Seed> seeds = findSeeds(elements_, owner_);
   std::vector<GrownCylinder> candidates;
-  for (const Seed& seed : findSeeds(elements_, owner_)) {
-    if (is_covered[static_cast<std::size_t>(seed.element)] || isTried(seed))
-      continue;
-    std::optional<GrownCylinder> candidate = grow(seed);
-    if (!candidate)
-      continue;
-    for (const std::int32_t member : candidate->members)
-      is_covered[static_cast<std::size_t>(member)] = 1;
-    candidates.push_back(std::move(*candidate));
+  std::vector<const Seed*> tried;
+  std::vector<GrownSeed> grown;
+  for (std::size_t next = 0; next < seeds.size();) {
+    tried.clear();
+    for (; next < seeds.size() && tried.size() < at_once; ++next)
+      if (isLeft(seeds[next]))
+        tried.push_back(&seeds[next]);
+    grown.assign(tried.size(), {});
+    oneapi::tbb::parallel_for(std::size_t{0}, tried.size(), [&](std::size_t k) {
+      grown[k] = grow(*tried[k]);
+    });
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+      if (!isLeft(*tried[k]))
+        continue;
+      addFailure(grown[k].failed);
+      if (!grown[k].cylinder)
+        continue;
+      for (const std::int32_t member : grown[k].cylinder->members)
+        is_covered[static_cast<std::size_t>(member)] = 1;
+      candidates.push_back(std::move(*grown[k].cylinder));
+    }
   }
   return candidates;
 }
 
 /** Floods and fits alternately until the region does not change. */
-std::optional<GrownCylinder>
-CylinderSearch::grow(const Seed& seed)
+GrownSeed
+CylinderSearch::grow(const Seed& seed) const
 {
   constexpr int max_rounds = 8, wide_rounds = 2;
   constexpr double settled = 0.002; // change of the number of members
   const MeshNeighbourhood neighbours(elements_.neighbours);
+  std::vector<std::int32_t>& scratch = scratch_.local();
   GrownCylinder grown;
   grown.fit.cylinder = seed.cylinder;
   std::vector<std::int32_t> start = seed.patch;
@@ -423,12 +455,12 @@ CylinderSearch::grow(const Seed& seed)
     for (const std::int32_t element : start)
       if (region.accepts(static_cast<std::size_t>(element))) {
         members.push_back(element);
-        scratch_[static_cast<std::size_t>(element)] = 0;
+        scratch[static_cast<std::size_t>(element)] = 0;
       }
     if (2 * members.size() >= start.size())
-      growRegion(neighbours, region, members, scratch_, 0);
+      growRegion(neighbours, region, members, scratch, 0);
     for (const std::int32_t member : members)
-      scratch_[static_cast<std::size_t>(member)] = no_region;
+      scratch[static_cast<std::size_t>(member)] = no_region;
     members.erase(std::remove_if(members.begin(),
                                  members.end(),
                                  [&](std::int32_t member) {
@@ -459,14 +491,13 @@ CylinderSearch::grow(const Seed& seed)
       break;
   }
   if (isCylinder(grown, false)) {
-    const std::vector<std::int32_t> members = grown.members;
+    std::vector<std::int32_t> members = grown.members;
     weigh(grown);
     if (grown.gain > minGain())
-      return grown;
-    grown.members = members;
+      return {std::move(grown), {}};
+    return {{}, std::move(members)};
   }
-  addFailure(grown.members);
-  return {};
+  return {{}, std::move(grown.members)};
 }
 
 /** Neighbouring seeds of a surface that is curved, but no cylinder, grow to nearly the same
