@@ -51,12 +51,11 @@ public:
   }
 
   /** Sums a stretch of consecutive points.
-   * \param[out] near their cells, which replace those of an earlier stretch */
+   * \param[in,out] near their cells are added to those of earlier stretches */
   void
   sum(std::size_t stretch, CellTable& near, LeftOut& left_out) const
   {
     Batch batch;
-    near.clear();
     const std::size_t begin = stretch * points_of_near_cells;
     const std::size_t end = std::min(begin + points_of_near_cells, points_.size());
     for (std::size_t first = begin; first < end; first += Batch::capacity) {
@@ -182,13 +181,19 @@ sumAll(const Summation& summation, const PointView& points, VoxelMoments& voxels
                             : std::vector<VoxelKey>());
   std::vector<LeftOut> of_tasks(tasks);
   std::atomic<std::size_t> next = 0;
-  oneapi::tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
+  const auto sumShared = [&](std::size_t task) {
     CellTable near(std::min(points.size(), points_of_near_cells));
     for (std::size_t stretch; (stretch = next++) < summation.stretches();) {
+      near.clear();
       summation.sum(stretch, near, of_tasks[task]);
       all.join(near);
     }
-  });
+  };
+  if (points.size() >= 2 * worth_a_thread)
+    oneapi::tbb::parallel_for(std::size_t{0}, tasks, sumShared);
+  else
+    for (std::size_t stretch = 0; stretch < summation.stretches(); ++stretch)
+      summation.sum(stretch, all.only(), of_tasks.front());
   all.moveTo(voxels);
   LeftOut left_out;
   for (const LeftOut& of_task : of_tasks) {

@@ -1,7 +1,6 @@
 #include "consolidation/surface_fit.h"
 
 #include "consolidation/window_planes.h"
-#include "consolidation/window_sums.h"
 
 #include <pcl/core/impl/parallel.h>
 
@@ -33,16 +32,13 @@ sampleNoise(const VoxelMoments& voxels,
                               static_cast<float>(fit.thickness())));
 }
 
-/** \brief The plane of the window of a voxel.
- * \param[in] sum over the parts */
-PlaneFit
-planeOfWindow(const VoxelMoments& voxels,
-              const std::vector<WindowPart>& parts,
-              const WindowSum& sum)
+double
+pointsOf(const VoxelMoments& voxels, const std::vector<WindowPart>& parts)
 {
-  return sum.isExact()
-             ? widestPlane(sum.inner, sum.whole)
-             : widestPlane(voxels, parts, [](const WindowPart&) { return true; });
+  double count = 0;
+  for (const WindowPart& part : parts)
+    count += voxels.cells[part.cell].moments.count;
+  return count;
 }
 
 NoiseProfile
@@ -50,7 +46,6 @@ fitWidest(const VoxelWindows& windows, std::vector<SurfaceFit>& fits)
 {
   fits.resize(windows.size());
   const VoxelMoments& voxels = windows.voxels();
-  const WindowSums sums(windows);
   using Samples = std::vector<PlaneNoise>;
   Samples samples = parallelReduceChunks(
       windows.size(),
@@ -59,14 +54,13 @@ fitWidest(const VoxelWindows& windows, std::vector<SurfaceFit>& fits)
         constexpr std::size_t voxels_a_sample = 16;
         Samples chunk;
         VoxelWindows::Cursor cursor(windows, 2);
-        WindowSums::Cursor sums_cursor(sums);
         for (std::size_t v = begin; v < end; ++v) {
           const std::vector<WindowPart>& parts = cursor.moveTo(v);
-          const WindowSum sum = sums_cursor.moveTo(v);
           SurfaceFit& fit = fits[v];
-          fit = toSurfaceFit(planeOfWindow(voxels, parts, sum));
+          fit = toSurfaceFit(
+              widestPlane(voxels, parts, [](const WindowPart&) { return true; }));
           fit.noise = noiseOf(voxels, parts, fit.normal, fit.thickness);
-          fit.is_whole = fit.count == static_cast<float>(sum.whole.count);
+          fit.is_whole = fit.count == static_cast<float>(pointsOf(voxels, parts));
           if (v % voxels_a_sample == 0)
             sampleNoise(voxels, windows.firstCell(v), parts, chunk);
         }

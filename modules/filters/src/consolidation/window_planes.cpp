@@ -91,18 +91,6 @@ isSamePlane(const PlaneFit& wide, const PlaneFit& inner)
   return wide.thickness() < slack * inner.thickness();
 }
 
-PlaneFit
-widestPlane(const Moments& inner, const Moments& whole)
-{
-  if (whole.count < 1)
-    return {};
-  const PlaneFit whole_fit = fitPlane(whole);
-  if (inner.count < 1)
-    return whole_fit;
-  const PlaneFit inner_fit = fitPlane(inner);
-  return isSamePlane(whole_fit, inner_fit) ? whole_fit : inner_fit;
-}
-
 PlaneNoise
 noiseOf(const VoxelMoments& voxels,
         const std::vector<WindowPart>& parts,

@@ -25,27 +25,27 @@ noiseOf(const VoxelMoments& voxels,
 bool
 isSamePlane(const PlaneFit& wide, const PlaneFit& inner);
 
-/** \brief The plane of a window, or of its inner part if the outer one is on another
- * plane.
- * \param[in] inner sums over the inner 3 x 3 x 3 voxels
- * \param[in] whole over all of them */
-PlaneFit
-widestPlane(const Moments& inner, const Moments& whole);
-
-/** \brief The same for those parts of 5 x 5 x 5 voxels that a predicate selects. */
+/** \brief The plane of those parts of 5 x 5 x 5 voxels that a predicate selects, or of
+ * the inner 3 x 3 x 3 of them if the outer ones are on another plane. */
 template <typename Choose>
 PlaneFit
 widestPlane(const VoxelMoments& voxels,
             const std::vector<WindowPart>& parts,
             const Choose& choose)
 {
-  Moments inner, whole;
+  Moments inner, wide;
   for (const WindowPart& part : parts)
     if (choose(part))
-      (part.isInner() ? inner : whole)
+      (part.isInner() ? inner : wide)
           .addShifted(voxels.cells[part.cell].moments, part.dx, part.dy, part.dz);
-  whole += inner;
-  return widestPlane(inner, whole);
+  wide += inner;
+  if (wide.count < 1)
+    return {};
+  const PlaneFit wide_fit = fitPlane(wide);
+  if (inner.count < 1)
+    return wide_fit;
+  const PlaneFit inner_fit = fitPlane(inner);
+  return isSamePlane(wide_fit, inner_fit) ? wide_fit : inner_fit;
 }
 
 /** \brief Replaces the plane of an inner window by that of the whole window if this is
