@@ -362,14 +362,6 @@ ownersOfWidePlanes(const SurfaceElements& elements, const KnownFaces& faces)
   return owners;
 }
 
-/** What became of a seed. */
-struct GrownSeed {
-  std::optional<GrownCylinder> cylinder;
-
-  /** Of a region that is no cylinder; empty for a seed that did not grow. */
-  std::vector<std::int32_t> failed;
-};
-
 class CylinderSearch {
 public:
   CylinderSearch(const SurfaceElements& elements,
@@ -382,7 +374,7 @@ public:
   , owner_(ownersOfWidePlanes(elements, faces))
   , wide_(owner_)
   , seed_search_(elements)
-  , scratch_([this] { return std::vector<std::int32_t>(elements_.size(), no_region); })
+  , scratch_(elements.size(), no_region)
   , failures_(elements.size(), 0)
   , plane_sizes_(faces.planes.size(), 0)
   , plane_bits_(faces.planes.size(), 0)
@@ -432,8 +424,8 @@ private:
 
   std::vector<GrownCylinder>
   growCandidates();
-  GrownSeed
-  grow(const Seed& seed) const;
+  std::optional<GrownCylinder>
+  grow(const Seed& seed);
   bool
   isTried(const Seed& seed) const;
   void
@@ -465,9 +457,7 @@ private:
   std::vector<std::int32_t> wide_;  ///< the same without cylinders
 
   SeedSearch seed_search_;
-
-  /** Owners while a thread grows one region; no_region between. */
-  mutable oneapi::tbb::enumerable_thread_specific<std::vector<std::int32_t>> scratch_;
+  std::vector<std::int32_t> scratch_; ///< of one region; no_region between
   std::vector<std::uint8_t>
       failures_; ///< regions of each element that were no cylinder
   std::vector<std::size_t> plane_sizes_;
@@ -475,53 +465,31 @@ private:
   std::vector<GrownCylinder> taken_;
 };
 
-/** Seeds are grown in the order of their errors, unless an earlier region has their
- * element. What grows from a seed does not depend on other seeds: several are grown at
- * once, and those that would not have been tried one after the other are dropped. */
 std::vector<GrownCylinder>
 CylinderSearch::growCandidates()
 {
-  const auto at_once =
-      static_cast<std::size_t>(oneapi::tbb::this_task_arena::max_concurrency());
   std::vector<std::uint8_t> is_covered(elements_.size(), 0);
-  const auto isLeft = [&](const Seed& seed) {
-    return !is_covered[static_cast<std::size_t>(seed.element)] && !isTried(seed);
-  };
-  const std::vector<const Seed*> seeds = seed_search_.run(owner_);
   std::vector<GrownCylinder> candidates;
-  std::vector<const Seed*> tried;
-  std::vector<GrownSeed> grown;
-  for (std::size_t next = 0; next < seeds.size();) {
-    tried.clear();
-    for (; next < seeds.size() && tried.size() < at_once; ++next)
-      if (isLeft(*seeds[next]))
-        tried.push_back(seeds[next]);
-    grown.assign(tried.size(), {});
-    oneapi::tbb::parallel_for(std::size_t{0}, tried.size(), [&](std::size_t k) {
-      grown[k] = grow(*tried[k]);
-    });
-    for (std::size_t k = 0; k < tried.size(); ++k) {
-      if (!isLeft(*tried[k]))
-        continue;
-      addFailure(grown[k].failed);
-      if (!grown[k].cylinder)
-        continue;
-      for (const std::int32_t member : grown[k].cylinder->members)
-        is_covered[static_cast<std::size_t>(member)] = 1;
-      candidates.push_back(std::move(*grown[k].cylinder));
-    }
+  for (const Seed* const seed : seed_search_.run(owner_)) {
+    if (is_covered[static_cast<std::size_t>(seed->element)] || isTried(*seed))
+      continue;
+    std::optional<GrownCylinder> candidate = grow(*seed);
+    if (!candidate)
+      continue;
+    for (const std::int32_t member : candidate->members)
+      is_covered[static_cast<std::size_t>(member)] = 1;
+    candidates.push_back(std::move(*candidate));
   }
   return candidates;
 }
 
 /** Floods and fits alternately until the region does not change. */
-GrownSeed
-CylinderSearch::grow(const Seed& seed) const
+std::optional<GrownCylinder>
+CylinderSearch::grow(const Seed& seed)
 {
   constexpr int max_rounds = 8, wide_rounds = 2;
   constexpr double settled = 0.002; // change of the number of members
   const MeshNeighbourhood neighbours(elements_.neighbours);
-  std::vector<std::int32_t>& scratch = scratch_.local();
   GrownCylinder grown;
   grown.fit.cylinder = seed.cylinder;
   std::vector<std::int32_t> start = seed.patch;
@@ -533,12 +501,12 @@ CylinderSearch::grow(const Seed& seed) const
     for (const std::int32_t element : start)
       if (region.accepts(static_cast<std::size_t>(element))) {
         members.push_back(element);
-        scratch[static_cast<std::size_t>(element)] = 0;
+        scratch_[static_cast<std::size_t>(element)] = 0;
       }
     if (2 * members.size() >= start.size())
-      growRegion(neighbours, region, members, scratch, 0);
+      growRegion(neighbours, region, members, scratch_, 0);
     for (const std::int32_t member : members)
-      scratch[static_cast<std::size_t>(member)] = no_region;
+      scratch_[static_cast<std::size_t>(member)] = no_region;
     members.erase(std::remove_if(members.begin(),
                                  members.end(),
                                  [&](std::int32_t member) {
@@ -569,13 +537,14 @@ CylinderSearch::grow(const Seed& seed) const
       break;
   }
   if (isCylinder(grown, false)) {
-    std::vector<std::int32_t> members = grown.members;
+    const std::vector<std::int32_t> members = grown.members;
     weigh(grown);
     if (grown.gain > minGain())
-      return {std::move(grown), {}};
-    return {{}, std::move(members)};
+      return grown;
+    grown.members = members;
   }
-  return {{}, std::move(grown.members)};
+  addFailure(grown.members);
+  return {};
 }
 
 /** Neighbouring seeds of a surface that is curved, but no cylinder, grow to nearly the same
