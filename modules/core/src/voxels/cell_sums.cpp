@@ -62,7 +62,6 @@ CellTable::CellTable(std::size_t maximum)
     ++bits;
   slots_.assign(std::size_t{1} << bits, Slot{no_key, 0});
   shift_ = 64 - bits;
-  cells.reserve(maximum);
 }
 
 std::size_t
@@ -79,23 +78,58 @@ CellTable::find(VoxelKey key)
       return find(key);
     }
     slot = {key, static_cast<std::uint32_t>(cells.size())};
-    cells.emplace_back().key = key;
+    cells.append().key = key;
     return slot.cell;
   }
 }
 
+/** The cells of a large table are far apart in memory: what a cell needs is requested
+ * while earlier ones are joined. */
 void
-CellTable::join(const CellTable& other, std::size_t cell)
+CellTable::join(const CellTable& other, const std::vector<std::uint32_t>& chosen)
+{
+  constexpr std::size_t ahead = 8;
+  std::size_t own[ahead] = {};
+  const auto keyOf = [&](std::size_t k) { return other.cells[chosen[k]].key; };
+  for (std::size_t k = 0; k < chosen.size() + 2 * ahead; ++k) {
+    if (k >= 2 * ahead)
+      joinCell(own[k % ahead], other, chosen[k - 2 * ahead]);
+    if (k >= ahead && k - ahead < chosen.size()) {
+      own[k % ahead] = find(keyOf(k - ahead));
+      requestCell(own[k % ahead]);
+    }
+    if (k < chosen.size())
+      requestSlot(keyOf(k));
+  }
+}
+
+void
+CellTable::requestSlot(VoxelKey key) const
+{
+  __builtin_prefetch(&slots_[slotOf(key, shift_)], 1);
+}
+
+void
+CellTable::requestCell(std::size_t cell) const
+{
+  const char* const first = reinterpret_cast<const char*>(&cells[cell]);
+  __builtin_prefetch(first, 1);
+  __builtin_prefetch(first + sizeof(CellSums) - 1, 1);
+  if (cell < colors.size())
+    __builtin_prefetch(&colors[cell], 1);
+}
+
+void
+CellTable::joinCell(std::size_t own, const CellTable& other, std::size_t cell)
 {
   const CellSums& more = other.cells[cell];
-  const std::size_t own = find(more.key);
   if (cells[own].count == 0)
     cells[own] = more;
   else
     cells[own].join(more);
   if (other.colors.empty())
     return;
-  colors.resize(cells.size());
+  colors.extendTo(cells.size());
   colors[own].red += other.colors[cell].red;
   colors[own].green += other.colors[cell].green;
   colors[own].blue += other.colors[cell].blue;
@@ -113,13 +147,16 @@ void
 CellTable::grow()
 {
   --shift_;
-  slots_.assign(2 * slots_.size(), Slot{no_key, 0});
-  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    std::size_t s = slotOf(cells[cell].key, shift_);
-    while (slots_[s].key != no_key)
-      s = (s + 1) & (slots_.size() - 1);
-    slots_[s] = {cells[cell].key, static_cast<std::uint32_t>(cell)};
+  std::vector<Slot, SystemAllocator<Slot>> wider(2 * slots_.size(), Slot{no_key, 0});
+  for (const Slot& slot : slots_) {
+    if (slot.key == no_key)
+      continue;
+    std::size_t s = slotOf(slot.key, shift_);
+    while (wider[s].key != no_key)
+      s = (s + 1) & (wider.size() - 1);
+    wider[s] = slot;
   }
+  slots_ = std::move(wider);
 }
 
 } // namespace pcl::acmap

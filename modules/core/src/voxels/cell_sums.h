@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/core/impl/large_memory.h>
+#include "voxels/chunked_array.h"
 
 #include <pcl/core/impl/voxel_moments.h>
 
@@ -68,9 +68,6 @@ toVoxelCell(const CellSums& sums, double edge);
 /** \brief The cells of some points, found by key in an open-addressing hash table. */
 class CellTable {
 public:
-  template <typename Value>
-  using Array = std::vector<Value, SystemAllocator<Value>>;
-
   /** \param[in] maximum expected number of cells, which may be exceeded */
   explicit CellTable(std::size_t maximum = 0);
 
@@ -79,27 +76,38 @@ public:
   std::size_t
   find(VoxelKey key);
 
-  /** \brief Adds a cell of another table. */
+  /** \brief Adds cells of another table.
+   * \param[in] other with colours, or without any, as all tables that are joined
+   * \param[in] chosen indices of its cells */
   void
-  join(const CellTable& other, std::size_t cell);
+  join(const CellTable& other, const std::vector<std::uint32_t>& chosen);
 
   /** \brief Removes all cells, but keeps their memory. */
   void
   clear();
 
-  Array<CellSums> cells;
-  Array<ColorSum> colors; // parallel to the cells if there are colours
+  ChunkedArray<CellSums> cells;
+  ChunkedArray<ColorSum> colors; // parallel to the cells if there are colours
 
 private:
-  void
-  grow();
-
   struct Slot {
     VoxelKey key;
     std::uint32_t cell;
   };
 
-  Array<Slot> slots_;
+  void
+  grow();
+
+  void
+  requestSlot(VoxelKey key) const;
+
+  void
+  requestCell(std::size_t cell) const;
+
+  void
+  joinCell(std::size_t own, const CellTable& other, std::size_t cell);
+
+  std::vector<Slot, SystemAllocator<Slot>> slots_;
   int shift_ = 0;
 };
 

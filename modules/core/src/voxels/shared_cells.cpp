@@ -8,29 +8,25 @@ namespace pcl::acmap {
 
 namespace {
 
-/** The cells of a part in ascending order of their keys. */
-struct SortedPart {
-  std::vector<VoxelCell> cells;
-  std::vector<ColorSum> colors;
-};
-
-SortedPart
-sorted(const CellTable& table, double edge)
+/** Writes the cells of a table in ascending order of their keys.
+ * \param[out] first of the cells of the table
+ * \param[out] first_color the same; not used without colours */
+void
+writeSorted(const CellTable& table,
+            double edge,
+            VoxelCell* first,
+            ColorSum* first_color)
 {
   std::vector<std::pair<VoxelKey, std::size_t>> order;
   order.reserve(table.cells.size());
   for (std::size_t c = 0; c < table.cells.size(); ++c)
     order.emplace_back(table.cells[c].key, c);
   std::sort(order.begin(), order.end());
-  SortedPart part;
-  part.cells.reserve(order.size());
-  part.colors.reserve(table.colors.size());
   for (const auto& [key, cell] : order) {
-    part.cells.push_back(toVoxelCell(table.cells[cell], edge));
+    *first++ = toVoxelCell(table.cells[cell], edge);
     if (!table.colors.empty())
-      part.colors.push_back(table.colors[cell]);
+      *first_color++ = table.colors[cell];
   }
-  return part;
 }
 
 } // namespace
@@ -38,44 +34,41 @@ sorted(const CellTable& table, double edge)
 void
 SharedCells::join(const CellTable& cells)
 {
-  std::vector<std::vector<std::size_t>> of_parts(parts_.size());
+  std::vector<std::vector<std::uint32_t>> of_parts(parts_.size());
   for (std::size_t c = 0; c < cells.cells.size(); ++c) {
     const auto limit =
         std::upper_bound(limits_.begin(), limits_.end(), cells.cells[c].key);
-    of_parts[static_cast<std::size_t>(limit - limits_.begin())].push_back(c);
+    of_parts[static_cast<std::size_t>(limit - limits_.begin())].push_back(
+        static_cast<std::uint32_t>(c));
   }
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     if (of_parts[p].empty())
       continue;
     const std::lock_guard lock(parts_[p].mutex);
-    for (const std::size_t cell : of_parts[p])
-      parts_[p].table.join(cells, cell);
+    parts_[p].table.join(cells, of_parts[p]);
   }
 }
 
 void
 SharedCells::moveTo(VoxelMoments& voxels)
 {
+  std::vector<std::size_t> begins;
   std::size_t cells = 0, colors = 0;
   for (const Part& part : parts_) {
+    begins.push_back(cells);
     cells += part.table.cells.size();
     colors += part.table.colors.size();
   }
-  voxels.cells.reserve(cells);
-  voxels.colors.reserve(colors);
-  constexpr std::size_t at_a_time = 8;
-  for (std::size_t begin = 0; begin < parts_.size(); begin += at_a_time) {
-    std::vector<SortedPart> some(std::min(at_a_time, parts_.size() - begin));
-    oneapi::tbb::parallel_for(std::size_t{0}, some.size(), [&](std::size_t k) {
-      CellTable& table = parts_[begin + k].table;
-      some[k] = sorted(table, voxels.lattice.edge());
-      table = CellTable();
-    });
-    for (const SortedPart& part : some) {
-      voxels.cells.insert(voxels.cells.end(), part.cells.begin(), part.cells.end());
-      voxels.colors.insert(voxels.colors.end(), part.colors.begin(), part.colors.end());
-    }
-  }
+  voxels.cells.resize(cells);
+  voxels.colors.resize(colors);
+  oneapi::tbb::parallel_for(std::size_t{0}, parts_.size(), [&](std::size_t p) {
+    CellTable& table = parts_[p].table;
+    writeSorted(table,
+                voxels.lattice.edge(),
+                voxels.cells.data() + begins[p],
+                voxels.colors.data() + (colors > 0 ? begins[p] : 0));
+    table = CellTable();
+  });
 }
 
 } // namespace pcl::acmap

@@ -22,6 +22,13 @@ public:
   void
   join(const CellTable& cells);
 
+  /** \brief The table of the only part, if there are no limits and one thread. */
+  CellTable&
+  only()
+  {
+    return parts_.front().table;
+  }
+
   /** \brief Moves the cells to an object without any, in ascending order of their
    * keys. The parts are released one after the other, as both together are large. */
   void

@@ -51,12 +51,11 @@ public:
   }
 
   /** Sums a stretch of consecutive points.
-   * \param[out] near their cells, which replace those of an earlier stretch */
+   * \param[in,out] near their cells are added to those of earlier stretches */
   void
   sum(std::size_t stretch, CellTable& near, LeftOut& left_out) const
   {
     Batch batch;
-    near.clear();
     const std::size_t begin = stretch * points_of_near_cells;
     const std::size_t end = std::min(begin + points_of_near_cells, points_.size());
     for (std::size_t first = begin; first < end; first += Batch::capacity) {
@@ -131,15 +130,14 @@ private:
   }
 
   void
-  addColor(std::size_t i, std::size_t cell, CellTable::Array<ColorSum>& sums) const
+  addColor(std::size_t i, std::size_t cell, ChunkedArray<ColorSum>& sums) const
   {
     std::uint32_t packed;
     const auto place = static_cast<std::size_t>(points_.index(i));
     std::memcpy(&packed,
                 static_cast<const char*>(colors_.first) + colors_.stride * place,
                 sizeof packed);
-    if (cell >= sums.size())
-      sums.resize(cell + 1);
+    sums.extendTo(cell + 1);
     sums[cell].red += (packed >> 16) & 0xff;
     sums[cell].green += (packed >> 8) & 0xff;
     sums[cell].blue += packed & 0xff;
@@ -183,13 +181,19 @@ sumAll(const Summation& summation, const PointView& points, VoxelMoments& voxels
                             : std::vector<VoxelKey>());
   std::vector<LeftOut> of_tasks(tasks);
   std::atomic<std::size_t> next = 0;
-  oneapi::tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
+  const auto sumShared = [&](std::size_t task) {
     CellTable near(std::min(points.size(), points_of_near_cells));
     for (std::size_t stretch; (stretch = next++) < summation.stretches();) {
+      near.clear();
       summation.sum(stretch, near, of_tasks[task]);
       all.join(near);
     }
-  });
+  };
+  if (points.size() >= 2 * worth_a_thread)
+    oneapi::tbb::parallel_for(std::size_t{0}, tasks, sumShared);
+  else
+    for (std::size_t stretch = 0; stretch < summation.stretches(); ++stretch)
+      summation.sum(stretch, all.only(), of_tasks.front());
   all.moveTo(voxels);
   LeftOut left_out;
   for (const LeftOut& of_task : of_tasks) {

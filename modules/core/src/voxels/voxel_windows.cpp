@@ -1,3 +1,4 @@
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/voxel_windows.h>
 
 #include <algorithm>
@@ -7,12 +8,14 @@ namespace pcl::acmap {
 VoxelWindows::VoxelWindows(const VoxelMoments& voxels)
 : voxels_(voxels)
 {
-  keys_.reserve(voxels.cells.size());
-  for (const VoxelCell& cell : voxels.cells) {
-    if (keys_.empty() || voxelOf(cell.key) != voxelOf(keys_.back()))
-      begins_.push_back(keys_.size());
-    keys_.push_back(cell.key);
-  }
+  keys_.resize(voxels.cells.size());
+  parallelForChunks(keys_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+      keys_[c] = voxels.cells[c].key;
+  });
+  for (std::size_t c = 0; c < keys_.size(); ++c)
+    if (c == 0 || voxelOf(keys_[c]) != voxelOf(keys_[c - 1]))
+      begins_.push_back(c);
   begins_.push_back(keys_.size());
 }
 

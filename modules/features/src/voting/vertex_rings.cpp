@@ -1,5 +1,7 @@
 #include "voting/vertex_rings.h"
 
+#include <pcl/core/impl/parallel.h>
+
 #include <algorithm>
 
 namespace pcl::acmap::voting {
@@ -35,23 +37,31 @@ VertexRings::VertexRings(const PointView& points,
           static_cast<std::uint32_t>(t);
     }
 
-  first_spoke_.reserve(points.size() + 1);
-  spokes_.reserve(others.size() / 2 + 1);
-  double sum = 0;
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    first_spoke_.push_back(spokes_.size());
-    const auto first = others.begin() + static_cast<std::ptrdiff_t>(next[v]);
-    auto last = others.begin() + static_cast<std::ptrdiff_t>(next[v + 1]);
-    std::sort(first, last);
-    last = std::unique(first, last);
-    const Eigen::Vector3f place = points[v];
-    for (auto other = first; other != last; ++other) {
-      const float length = (points[static_cast<std::size_t>(*other)] - place).norm();
-      spokes_.push_back({*other, length});
-      sum += length;
+  first_spoke_.assign(points.size() + 1, 0);
+  parallelForChunks(points.size(), [&](std::size_t from, std::size_t to) {
+    for (std::size_t v = from; v < to; ++v) {
+      const auto first = others.begin() + static_cast<std::ptrdiff_t>(next[v]);
+      const auto last = others.begin() + static_cast<std::ptrdiff_t>(next[v + 1]);
+      std::sort(first, last);
+      first_spoke_[v + 1] = static_cast<std::size_t>(std::unique(first, last) - first);
     }
-  }
-  first_spoke_.push_back(spokes_.size());
+  });
+  for (std::size_t v = 0; v < points.size(); ++v)
+    first_spoke_[v + 1] += first_spoke_[v];
+  spokes_.resize(first_spoke_.back());
+  parallelForChunks(points.size(), [&](std::size_t from, std::size_t to) {
+    for (std::size_t v = from; v < to; ++v) {
+      const Eigen::Vector3f place = points[v];
+      for (std::size_t k = 0; k < first_spoke_[v + 1] - first_spoke_[v]; ++k) {
+        const std::int32_t other = others[next[v] + k];
+        spokes_[first_spoke_[v] + k] = {
+            other, (points[static_cast<std::size_t>(other)] - place).norm()};
+      }
+    }
+  });
+  double sum = 0;
+  for (const Spoke& spoke : spokes_)
+    sum += spoke.length;
   mean_edge_ = spokes_.empty() ? 0 : sum / static_cast<double>(spokes_.size());
 }
 

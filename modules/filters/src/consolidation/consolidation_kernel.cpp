@@ -44,27 +44,34 @@ public:
   SignSpreading(std::vector<Representative>& representatives, double edge)
   : all_(representatives)
   , radius_(static_cast<float>(1.8 * edge))
-  , hash_(representatives.size(), radius_)
+  , hash_(entriesOf(representatives), radius_)
   , is_done_(representatives.size(), false)
-  {
-    for (std::uint32_t i = 0; i < all_.size(); ++i)
-      if (hasNormal(i))
-        hash_.add(i, all_[i].point);
-  }
+  , flattest_(representatives.size())
+  {}
 
   void
   run()
   {
     for (std::uint32_t seed = 0; seed < all_.size(); ++seed)
-      if (hasNormal(seed) && !is_done_[seed])
+      if (hasNormal(all_[seed]) && !is_done_[seed])
         spreadFrom(seed);
   }
 
 private:
-  bool
-  hasNormal(std::uint32_t i) const
+  static bool
+  hasNormal(const Representative& representative)
   {
-    return !std::isnan(all_[i].normal.x());
+    return !std::isnan(representative.normal.x());
+  }
+
+  static std::vector<PointHash::Entry>
+  entriesOf(const std::vector<Representative>& representatives)
+  {
+    std::vector<PointHash::Entry> entries;
+    for (std::uint32_t i = 0; i < representatives.size(); ++i)
+      if (hasNormal(representatives[i]))
+        entries.push_back({representatives[i].point, i});
+    return entries;
   }
 
   void
@@ -92,21 +99,39 @@ private:
         all_[i].normal *= -1;
   }
 
+  /** Of the steps to a normal only those that are flatter than all before are queued:
+   * the others would be taken after it was done. */
   void
-  pushSteps(std::uint32_t from, std::priority_queue<SignPropagation>& steps) const
+  pushSteps(std::uint32_t from, std::priority_queue<SignPropagation>& steps)
   {
-    hash_.visitNear(all_[from].point, [&](std::uint32_t to) {
-      if (!is_done_[to] &&
-          (all_[to].point - all_[from].point).squaredNorm() < radius_ * radius_)
-        steps.push({1 - std::abs(agreement(all_[from], all_[to])), to, from});
-      return false;
+    const Representative& here = all_[from];
+    hash_.visitNear(here.point, [&](const PointHash::Entry& entry) {
+      const std::uint32_t to = entry.name;
+      if (is_done_[to] ||
+          !((entry.point - here.point).squaredNorm() < radius_ * radius_))
+        return;
+      const SignPropagation step{1 - std::abs(agreement(here, all_[to])), to, from};
+      Queued& flattest = flattest_[to];
+      if (flattest.is_queued &&
+          !(SignPropagation{flattest.bend, to, flattest.from} < step))
+        return;
+      flattest = {step.bend, from, true};
+      steps.push(step);
     });
   }
+
+  /** The flattest step to a normal in the queue. */
+  struct Queued {
+    float bend = 0;
+    std::uint32_t from = 0;
+    bool is_queued = false;
+  };
 
   std::vector<Representative>& all_;
   float radius_; // metres
   PointHash hash_;
   std::vector<bool> is_done_;
+  std::vector<Queued> flattest_;
 };
 
 /** \brief Are the sensor positions consistent with the surfaces? If more than 5 % of
@@ -202,6 +227,17 @@ remarkOnPoints(const VoxelMoments& voxels, ConsolidationReport& report)
                              "and were left out");
 }
 
+std::vector<Representative>
+keptOf(const std::vector<Candidate>& candidates, const Thinning& thinning)
+{
+  std::vector<Representative> kept(thinning.kept.size());
+  parallelForChunks(kept.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r)
+      kept[r] = candidates[thinning.kept[r]].representative;
+  });
+  return kept;
+}
+
 void
 faceSensors(std::vector<Representative>& representatives,
             const SensorView& sensors,
@@ -257,13 +293,12 @@ consolidatePoints(const PointView& points,
     const LargeVector<Candidate> candidates = makeCandidates(windows, fits, sensors);
     fits = {};
     const Thinning thinning = thinOut(candidates, edge);
-    result.representatives.reserve(thinning.kept.size());
-    for (const std::uint32_t kept : thinning.kept) {
-      result.representatives.push_back(candidates[kept].representative);
-      if (std::isnan(candidates[kept].representative.normal.x()))
-        ++report.without_normal;
-    }
+    result.representatives = keptOf(candidates, thinning);
     report.representatives = result.representatives.size();
+    report.without_normal = static_cast<std::size_t>(std::count_if(
+        result.representatives.begin(),
+        result.representatives.end(),
+        [](const Representative& r) { return std::isnan(r.normal.x()); }));
     faceSensors(result.representatives, sensors, edge, report);
     const std::vector<std::int32_t> of_cell =
         representativesOfCells(windows, candidates, thinning);

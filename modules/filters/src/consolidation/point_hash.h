@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/core/impl/parallel.h>
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -8,33 +10,46 @@
 namespace pcl::acmap {
 
 /** \brief Hash grid of points with cells of twice a radius, so that a ball of that
- * radius overlaps at most eight of them. Different cells may share a chain, so the
- * caller must check distances. */
+ * radius overlaps at most eight of them. Different cells may share a slot, so the
+ * caller must check distances. The points of a slot are next to each other in memory,
+ * and so are those of cells that follow one another along z. */
 class PointHash {
 public:
-  /** \param[in] capacity maximum number of points; their indices are 0 to capacity - 1
+  struct Entry {
+    Eigen::Vector3f point;
+    std::uint32_t name;
+  };
+
+  /** \param[in] entries the points; they are not kept
    * \param[in] radius metres */
-  PointHash(std::size_t capacity, float radius)
+  PointHash(const std::vector<Entry>& entries, float radius)
   : cell_(2 * radius)
-  , next_(capacity, -1)
   {
     std::size_t size = 16;
-    while (size < capacity)
+    while (size < entries.size())
       size *= 2;
-    heads_.assign(size, -1);
+    mask_ = size - 1;
+    std::vector<std::uint32_t> slots(entries.size());
+    parallelForChunks(entries.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        slots[i] = static_cast<std::uint32_t>(
+            slotOf((entries[i].point.array() / cell_).floor()));
+    });
+    begins_.assign(size + 1, 0);
+    for (const std::uint32_t slot : slots)
+      ++begins_[slot + 1];
+    for (std::size_t slot = 0; slot < size; ++slot)
+      begins_[slot + 1] += begins_[slot];
+    entries_.resize(entries.size());
+    for (std::size_t i = entries.size(); i-- > 0;)
+      entries_[--begins_[slots[i] + 1]] = entries[i];
+    // each begin is now in the slot after its own
+    begins_.erase(begins_.begin());
+    begins_.push_back(static_cast<std::uint32_t>(entries.size()));
   }
 
-  void
-  add(std::uint32_t name, const Eigen::Vector3f& point)
-  {
-    std::int32_t& head = heads_[slotOf((point.array() / cell_).floor())];
-    next_[name] = head;
-    head = static_cast<std::int32_t>(name);
-  }
-
-  /** \brief Calls visit (name) for the points in the cells around a position, until it
-   * returns true. Points that were added to a cell later come first; a point may be
-   * visited twice because of hash collisions. */
+  /** \brief Calls visit (entry) for the points in the cells around a position; a point
+   * may be visited twice because of hash collisions. */
   template <typename Visit>
   void
   visitNear(const Eigen::Vector3f& point, const Visit& visit) const
@@ -47,10 +62,9 @@ public:
       const Eigen::Array3f cell(corner & 1 ? nearer[0] : middle[0],
                                 corner & 2 ? nearer[1] : middle[1],
                                 corner & 4 ? nearer[2] : middle[2]);
-      for (std::int32_t name = heads_[slotOf(cell)]; name >= 0;
-           name = next_[static_cast<std::size_t>(name)])
-        if (visit(static_cast<std::uint32_t>(name)))
-          return;
+      const std::size_t slot = slotOf(cell);
+      for (std::size_t i = begins_[slot]; i < begins_[slot + 1]; ++i)
+        visit(entries_[i]);
     }
   }
 
@@ -59,16 +73,20 @@ private:
   slotOf(const Eigen::Array3f& cell) const
   {
     std::uint64_t hash = 0;
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 2; ++axis)
       hash =
           (hash + static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[axis]))) *
           0x9e3779b97f4a7c15u;
-    return static_cast<std::size_t>(hash >> 32) & (heads_.size() - 1);
+    return static_cast<std::size_t>(
+               (hash >> 32) +
+               static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[2]))) &
+           mask_;
   }
 
   float cell_; // metres
-  std::vector<std::int32_t> heads_;
-  std::vector<std::int32_t> next_;
+  std::size_t mask_ = 0;
+  std::vector<std::uint32_t> begins_; // of the slots, and the end of the last one
+  std::vector<Entry> entries_;
 };
 
 } // namespace pcl::acmap

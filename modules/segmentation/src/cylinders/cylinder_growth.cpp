@@ -86,7 +86,9 @@ public:
   , visited_(elements.size(), 0)
   {}
 
-  void
+  /** \return the largest squared distance from the start to an element that was looked at,
+   * square metres: the patch does not depend on others */
+  double
   walk(std::int32_t start,
        std::size_t size,
        const std::vector<std::int32_t>& owner,
@@ -98,12 +100,16 @@ public:
     patch.assign(1, start);
     normals.assign(1, elements_.normals[static_cast<std::size_t>(start)]);
     visited_[static_cast<std::size_t>(start)] = round_;
+    const Eigen::Vector3d& middle = elements_.points[static_cast<std::size_t>(start)];
+    double reach = 0;
     for (std::size_t next = 0; next < patch.size() && patch.size() < size; ++next)
       for (const std::int32_t other :
            elements_.neighbours[static_cast<std::size_t>(patch[next])]) {
         const auto o = static_cast<std::size_t>(other);
-        if (visited_[o] == round_ || !elements_.is_smooth[o] || owner[o] != no_region ||
-            patch.size() == size)
+        if (visited_[o] == round_ || !elements_.is_smooth[o] || patch.size() == size)
+          continue;
+        reach = std::max(reach, (elements_.points[o] - middle).squaredNorm());
+        if (owner[o] != no_region)
           continue;
         const double cosine = normals[next].dot(elements_.normals[o]);
         if (std::abs(cosine) < min_cosine || (elements_.is_oriented && cosine < 0))
@@ -113,6 +119,7 @@ public:
         normals.emplace_back(cosine < 0 ? Eigen::Vector3d(-elements_.normals[o])
                                         : elements_.normals[o]);
       }
+    return reach;
   }
 
 private:
@@ -186,18 +193,25 @@ spreadElements(const SurfaceElements& elements, const std::vector<std::int32_t>&
   return chosen;
 }
 
-/** Appends the seeds at one element, over patches of several sizes. */
-void
-addSeedsAt(std::int32_t element,
-           const SurfaceElements& elements,
-           const std::vector<std::int32_t>& owner,
-           PatchWalk& walk,
-           std::vector<Seed>& seeds)
+/** The seeds at one element, over patches of several sizes. */
+struct SeedsOfElement {
+  std::int32_t element = 0;
+  double squared_reach = 0; ///< square metres: they do not depend on elements beyond
+  std::vector<Seed> seeds;
+};
+
+SeedsOfElement
+seedsAt(std::int32_t element,
+        const SurfaceElements& elements,
+        const std::vector<std::int32_t>& owner,
+        PatchWalk& walk)
 {
   constexpr std::array<std::size_t, 4> sizes{16, 40, 100, 250};
+  SeedsOfElement found;
+  found.element = element;
   std::vector<std::int32_t> patch, part;
   std::vector<Eigen::Vector3d> normals, part_normals;
-  walk.walk(element, sizes.back(), owner, patch, normals);
+  found.squared_reach = walk.walk(element, sizes.back(), owner, patch, normals);
   std::size_t before = 0;
   for (const std::size_t size : sizes) {
     const std::size_t used = std::min(size, patch.size());
@@ -209,32 +223,93 @@ addSeedsAt(std::int32_t element,
                         normals.begin() + static_cast<std::ptrdiff_t>(used));
     Seed seed;
     if (seedOf(elements, part, part_normals, seed))
-      seeds.push_back(std::move(seed));
+      found.seeds.push_back(std::move(seed));
   }
+  return found;
 }
 
-std::vector<Seed>
-findSeeds(const SurfaceElements& elements, const std::vector<std::int32_t>& owner)
-{
-  constexpr std::size_t of_a_part = 256;
-  const std::vector<std::int32_t> starts = spreadElements(elements, owner);
-  oneapi::tbb::enumerable_thread_specific<PatchWalk> walks(
-      [&elements] { return PatchWalk(elements); });
-  std::vector<std::vector<Seed>> parts((starts.size() + of_a_part - 1) / of_a_part);
-  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
-    PatchWalk& walk = walks.local();
-    const std::size_t end = std::min((part + 1) * of_a_part, starts.size());
-    for (std::size_t i = part * of_a_part; i < end; ++i)
-      addSeedsAt(starts[i], elements, owner, walk, parts[part]);
-  });
-  std::vector<Seed> seeds;
-  for (std::vector<Seed>& part : parts)
-    std::move(part.begin(), part.end(), std::back_inserter(seeds));
-  std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) {
-    return a.error < b.error;
-  });
-  return seeds;
-}
+/** The seeds of a surface, which are searched again only where elements were taken since
+ * the last search. */
+class SeedSearch {
+public:
+  explicit SeedSearch(const SurfaceElements& elements)
+  : elements_(elements)
+  , walks_([&elements] { return PatchWalk(elements); })
+  {}
+
+  /** To be called for elements that were taken. */
+  void
+  addTaken(const std::vector<std::int32_t>& members)
+  {
+    Eigen::AlignedBox3d box;
+    for (const std::int32_t member : members)
+      box.extend(elements_.points[static_cast<std::size_t>(member)]);
+    taken_.push_back(box);
+  }
+
+  /** \return the seeds in the order of their errors; valid until the next call */
+  std::vector<const Seed*>
+  run(const std::vector<std::int32_t>& owner)
+  {
+    search(spreadElements(elements_, owner), owner);
+    taken_.clear();
+    std::vector<const Seed*> seeds;
+    for (const SeedsOfElement& of_element : found_)
+      for (const Seed& seed : of_element.seeds)
+        seeds.push_back(&seed);
+    std::stable_sort(seeds.begin(), seeds.end(), [](const Seed* a, const Seed* b) {
+      return a->error < b->error;
+    });
+    return seeds;
+  }
+
+private:
+  /** \param[in] starts ascending */
+  void
+  search(const std::vector<std::int32_t>& starts,
+         const std::vector<std::int32_t>& owner)
+  {
+    constexpr std::size_t of_a_part = 256;
+    std::vector<SeedsOfElement> before = std::move(found_);
+    found_.assign(starts.size(), {});
+    const std::size_t parts = (starts.size() + of_a_part - 1) / of_a_part;
+    oneapi::tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
+      PatchWalk& walk = walks_.local();
+      const std::size_t end = std::min((part + 1) * of_a_part, starts.size());
+      for (std::size_t i = part * of_a_part; i < end; ++i) {
+        const auto known =
+            std::lower_bound(before.begin(),
+                             before.end(),
+                             starts[i],
+                             [](const SeedsOfElement& seeds, std::int32_t element) {
+                               return seeds.element < element;
+                             });
+        if (known != before.end() && known->element == starts[i] &&
+            !isNearTaken(*known))
+          found_[i] = std::move(*known);
+        else
+          found_[i] = seedsAt(starts[i], elements_, owner, walk);
+      }
+    });
+  }
+
+  bool
+  isNearTaken(const SeedsOfElement& seeds) const
+  {
+    constexpr double rounding = 1 + 1e-9;
+    const Eigen::Vector3d& middle =
+        elements_.points[static_cast<std::size_t>(seeds.element)];
+    return std::any_of(
+        taken_.begin(), taken_.end(), [&](const Eigen::AlignedBox3d& box) {
+          return box.squaredExteriorDistance(middle) <= rounding * seeds.squared_reach;
+        });
+  }
+
+  const SurfaceElements& elements_;
+  oneapi::tbb::enumerable_thread_specific<PatchWalk> walks_;
+  std::vector<SeedsOfElement> found_;      ///< in the order of the elements
+  std::vector<Eigen::AlignedBox3d> taken_; ///< around elements, since the last search
+};
 
 /** Connected elements of one plane. */
 class PlanePiece {
@@ -298,6 +373,7 @@ public:
   , lengths_(elements.sigma, elements.spacing, elements.extent)
   , owner_(ownersOfWidePlanes(elements, faces))
   , wide_(owner_)
+  , seed_search_(elements)
   , scratch_(elements.size(), no_region)
   , failures_(elements.size(), 0)
   , plane_sizes_(faces.planes.size(), 0)
@@ -377,8 +453,10 @@ private:
   const KnownFaces& faces_;
   CylinderLimits limits_;
   DescriptionLength lengths_;
-  std::vector<std::int32_t> owner_;   ///< taken cylinder of each element, or wide_plane
-  std::vector<std::int32_t> wide_;    ///< the same without cylinders
+  std::vector<std::int32_t> owner_; ///< taken cylinder of each element, or wide_plane
+  std::vector<std::int32_t> wide_;  ///< the same without cylinders
+
+  SeedSearch seed_search_;
   std::vector<std::int32_t> scratch_; ///< of one region; no_region between
   std::vector<std::uint8_t>
       failures_; ///< regions of each element that were no cylinder
@@ -392,10 +470,10 @@ CylinderSearch::growCandidates()
 {
   std::vector<std::uint8_t> is_covered(elements_.size(), 0);
   std::vector<GrownCylinder> candidates;
-  for (const Seed& seed : findSeeds(elements_, owner_)) {
-    if (is_covered[static_cast<std::size_t>(seed.element)] || isTried(seed))
+  for (const Seed* const seed : seed_search_.run(owner_)) {
+    if (is_covered[static_cast<std::size_t>(seed->element)] || isTried(*seed))
       continue;
-    std::optional<GrownCylinder> candidate = grow(seed);
+    std::optional<GrownCylinder> candidate = grow(*seed);
     if (!candidate)
       continue;
     for (const std::int32_t member : candidate->members)
@@ -655,6 +733,7 @@ CylinderSearch::take(std::vector<GrownCylinder> candidates)
     for (const std::int32_t member : best->members)
       owner_[static_cast<std::size_t>(member)] =
           static_cast<std::int32_t>(taken_.size());
+    seed_search_.addTaken(best->members);
     taken_.push_back(std::move(*best));
     candidates.erase(best);
     has_taken = true;
@@ -709,14 +788,25 @@ reachOf(const Cylinder& cylinder, const std::vector<Sample>& samples, double spa
 {
   CylinderReach reach;
   const Development development(cylinder);
-  std::vector<double> angles, heights;
-  for (const Sample& sample : samples) {
-    const Offset offset(cylinder, sample);
-    if (!offset.exists)
-      continue;
-    angles.push_back(development.angle(offset.normal));
-    heights.push_back(cylinder.along(offset.foot));
-  }
+  struct Places {
+    std::vector<double> angles, heights;
+  };
+  const auto placesOf = [&](std::size_t begin, std::size_t end) {
+    Places places;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Offset offset(cylinder, samples[i]);
+      if (!offset.exists)
+        continue;
+      places.angles.push_back(development.angle(offset.normal));
+      places.heights.push_back(cylinder.along(offset.foot));
+    }
+    return places;
+  };
+  auto [angles, heights] = parallelReduceChunks(
+      samples.size(), Places(), placesOf, [](Places& all, const Places& some) {
+        all.angles.insert(all.angles.end(), some.angles.begin(), some.angles.end());
+        all.heights.insert(all.heights.end(), some.heights.begin(), some.heights.end());
+      });
   if (angles.empty())
     return reach;
   std::sort(angles.begin(), angles.end());

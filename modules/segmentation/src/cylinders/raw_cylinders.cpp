@@ -370,19 +370,30 @@ gatherRaw(const RawCloud& cloud,
   for (int round = 0; round < rounds; ++round) {
     const Cylinder& now = cylinder.fit.cylinder;
     const Development development(now);
-    std::vector<std::int32_t> members;
-    for (std::size_t i = 0; i < pool.size(); ++i) {
-      const Offset offset(now, all[i]);
+    const auto isMember = [&](const Sample& sample) {
+      const Offset offset(now, sample);
       if (!offset.exists || !(std::abs(offset.value) < gate * cloud.sigma))
-        continue;
+        return false;
       const double along = now.along(offset.foot);
       const double turn =
           development.angle(offset.normal) - reach.arc_begin + slack / now.radius;
-      if (along > reach.low - slack && along < reach.high + slack &&
-          turn - 2 * M_PI * std::floor(turn / (2 * M_PI)) <
-              reach.arc_length + 2 * slack / now.radius)
-        members.push_back(pool[i]);
-    }
+      return along > reach.low - slack && along < reach.high + slack &&
+             turn - 2 * M_PI * std::floor(turn / (2 * M_PI)) <
+                 reach.arc_length + 2 * slack / now.radius;
+    };
+    Members members = parallelReduceChunks(
+        pool.size(),
+        Members(),
+        [&](std::size_t begin, std::size_t end) {
+          Members some;
+          for (std::size_t i = begin; i < end; ++i)
+            if (isMember(all[i]))
+              some.push_back(pool[i]);
+          return some;
+        },
+        [](Members& joined, const Members& some) {
+          joined.insert(joined.end(), some.begin(), some.end());
+        });
     cylinder.samples = samplesOf(cloud, members);
     cylinder.members = std::move(members);
     const bool is_last = round + 1 == rounds;

@@ -2,6 +2,7 @@
 
 #include "large_median.h"
 
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/voxel_windows.h>
 #include <pcl/core/noise_scale.h>
 
@@ -144,10 +145,11 @@ sampleOf(const RawCloud& cloud, std::size_t i)
 std::vector<Sample>
 samplesOf(const RawCloud& cloud, const std::vector<std::int32_t>& members)
 {
-  std::vector<Sample> samples;
-  samples.reserve(members.size());
-  for (const std::int32_t member : members)
-    samples.push_back(sampleOf(cloud, static_cast<std::size_t>(member)));
+  std::vector<Sample> samples(members.size());
+  parallelForChunks(members.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      samples[i] = sampleOf(cloud, static_cast<std::size_t>(members[i]));
+  });
   return samples;
 }
 

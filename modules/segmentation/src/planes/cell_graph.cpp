@@ -3,28 +3,33 @@
 #include "median.h"
 #include "planes/radius_grid.h"
 
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/noise_scale.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl::acmap::planes {
 namespace {
 
 /** Triangles with finite vertices only: others would spoil the sums. */
 std::vector<TriangleMesh::Triangle>
-finiteTriangles(const PlaneHypotheses& hypotheses)
+finiteTriangles(const PlaneHypotheses& hypotheses,
+                const std::vector<Eigen::Vector3d>& points)
 {
+  const auto is_finite = [&](const TriangleMesh::Triangle& triangle) {
+    return std::all_of(triangle.begin(), triangle.end(), [&](std::int32_t corner) {
+      return points[static_cast<std::size_t>(corner)].allFinite();
+    });
+  };
   std::vector<TriangleMesh::Triangle> triangles;
-  for (const TriangleMesh::Triangle& triangle : hypotheses.triangles) {
-    const auto is_finite = [&](std::int32_t corner) {
-      return hypotheses.points[static_cast<std::size_t>(corner)].allFinite();
-    };
-    if (std::all_of(triangle.begin(), triangle.end(), is_finite))
+  triangles.reserve(hypotheses.triangles.size());
+  for (const TriangleMesh::Triangle& triangle : hypotheses.triangles)
+    if (is_finite(triangle))
       triangles.push_back(triangle);
-  }
   return triangles;
 }
 
@@ -33,14 +38,14 @@ Eigen::Vector3d
 middleOf(const std::vector<Eigen::Vector3d>& points)
 {
   Eigen::Vector3d middle;
-  std::vector<double> coordinates;
-  for (int axis = 0; axis < 3; ++axis) {
-    coordinates.clear();
+  oneapi::tbb::parallel_for(0, 3, [&](int axis) {
+    std::vector<double> coordinates;
+    coordinates.reserve(points.size());
     for (const Eigen::Vector3d& point : points)
       if (point.allFinite())
         coordinates.push_back(point[axis]);
     middle[axis] = medianOf(coordinates);
-  }
+  });
   return middle;
 }
 
@@ -48,13 +53,18 @@ middleOf(const std::vector<Eigen::Vector3d>& points)
 double
 meanEdge(const CellGraph& graph)
 {
-  double sum = 0;
-  for (std::size_t i = 0; i < graph.size(); ++i)
-    for (const std::int32_t j : graph.neighbours[i])
-      sum += (graph.points[static_cast<std::size_t>(j)] - graph.points[i]).norm();
-  return graph.neighbours.size() == 0
-             ? 0
-             : sum / static_cast<double>(graph.neighbours.size());
+  if (graph.neighbours.size() == 0)
+    return 0;
+  std::vector<double> lengths(graph.neighbours.size());
+  const std::int32_t* const first = graph.neighbours[0].begin();
+  parallelForChunks(graph.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      for (const std::int32_t& j : graph.neighbours[i])
+        lengths[static_cast<std::size_t>(&j - first)] =
+            (graph.points[static_cast<std::size_t>(j)] - graph.points[i]).norm();
+  });
+  return std::accumulate(lengths.begin(), lengths.end(), 0.0) /
+         static_cast<double>(lengths.size());
 }
 
 /** Noise of the points along their normals, from their offsets from the mean of their
@@ -63,19 +73,28 @@ meanEdge(const CellGraph& graph)
 double
 localNoise(const CellGraph& graph)
 {
-  std::vector<double> offsets;
-  for (std::size_t i = 0; i < graph.size(); ++i) {
-    const VertexNeighbours::Range others = graph.neighbours[i];
-    if (others.size() < 5 || !graph.hasNormal(i))
-      continue;
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const std::int32_t j : others)
-      mean += graph.points[static_cast<std::size_t>(j)];
-    const double count = static_cast<double>(others.size());
-    mean /= count;
-    const double offset = (graph.points[i] - mean).dot(graph.normals[i].cast<double>());
-    offsets.push_back(std::abs(offset) / std::sqrt(1 + 1 / count));
-  }
+  using Offsets = std::vector<double>;
+  const auto offsetsOf = [&](std::size_t begin, std::size_t end) {
+    Offsets offsets;
+    for (std::size_t i = begin; i < end; ++i) {
+      const VertexNeighbours::Range others = graph.neighbours[i];
+      if (others.size() < 5 || !graph.hasNormal(i))
+        continue;
+      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      for (const std::int32_t j : others)
+        mean += graph.points[static_cast<std::size_t>(j)];
+      const double count = static_cast<double>(others.size());
+      mean /= count;
+      const double offset =
+          (graph.points[i] - mean).dot(graph.normals[i].cast<double>());
+      offsets.push_back(std::abs(offset) / std::sqrt(1 + 1 / count));
+    }
+    return offsets;
+  };
+  Offsets offsets = parallelReduceChunks(
+      graph.size(), Offsets{}, offsetsOf, [](Offsets& all, const Offsets& next) {
+        all.insert(all.end(), next.begin(), next.end());
+      });
   constexpr double median_of_normal = 0.6745;
   return medianOf(offsets) / median_of_normal;
 }
@@ -87,31 +106,46 @@ CellGraph::CellGraph(const PlaneHypotheses& hypotheses, unsigned threads)
 , areas(hypotheses.points.size(), 0.0)
 {
   const std::size_t size = hypotheses.points.size();
-  points.reserve(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    points.push_back(hypotheses.points[i].cast<double>());
-    if (!points.back().allFinite())
-      normals[i].setConstant(std::nanf(""));
-  }
+  points.resize(size);
+  parallelForChunks(size, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      points[i] = hypotheses.points[i].cast<double>();
+      if (!points[i].allFinite())
+        normals[i].setConstant(std::nanf(""));
+    }
+  });
   origin = middleOf(points);
-  for (Eigen::Vector3d& point : points)
-    point -= origin;
-
-  const std::vector<TriangleMesh::Triangle> triangles = finiteTriangles(hypotheses);
+  const std::vector<TriangleMesh::Triangle> triangles =
+      finiteTriangles(hypotheses, points);
+  parallelForChunks(size, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      points[i] -= origin;
+  });
   neighbours = VertexNeighbours(size, triangles);
-  for (const TriangleMesh::Triangle& t : triangles) {
-    const Eigen::Vector3d& a = points[static_cast<std::size_t>(t[0])];
-    const Eigen::Vector3d& b = points[static_cast<std::size_t>(t[1])];
-    const Eigen::Vector3d& c = points[static_cast<std::size_t>(t[2])];
-    const double third = (b - a).cross(c - a).norm() / 6;
-    for (const std::int32_t corner : t)
-      areas[static_cast<std::size_t>(corner)] += third;
-  }
+  addAreas(triangles);
   if (triangles.empty())
     connectNear(hypotheses.points, threads);
   else
     spacing = meanEdge(*this);
   sigma = localNoise(*this);
+}
+
+void
+CellGraph::addAreas(const std::vector<TriangleMesh::Triangle>& triangles)
+{
+  std::vector<double> thirds(triangles.size());
+  parallelForChunks(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const TriangleMesh::Triangle& t = triangles[i];
+      const Eigen::Vector3d& a = points[static_cast<std::size_t>(t[0])];
+      const Eigen::Vector3d& b = points[static_cast<std::size_t>(t[1])];
+      const Eigen::Vector3d& c = points[static_cast<std::size_t>(t[2])];
+      thirds[i] = (b - a).cross(c - a).norm() / 6;
+    }
+  });
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (const std::int32_t corner : triangles[i])
+      areas[static_cast<std::size_t>(corner)] += thirds[i];
 }
 
 double

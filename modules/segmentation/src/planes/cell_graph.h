@@ -37,6 +37,8 @@ struct CellGraph {
 
 private:
   void
+  addAreas(const std::vector<TriangleMesh::Triangle>& triangles);
+  void
   connectNear(const PointView& view, unsigned threads);
 };
 

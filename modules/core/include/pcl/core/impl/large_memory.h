@@ -3,6 +3,9 @@
 #include <pcl/core/export.h>
 
 #include <cstddef>
+#include <new>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pcl::acmap {
@@ -87,5 +90,42 @@ struct SystemAllocator {
     return false;
   }
 };
+
+/** \brief Allocator of large arrays that are filled, by several threads, right after
+ * they got their size: resize () leaves their values undefined, and large pages back
+ * them. */
+template <typename Value>
+struct UnfilledAllocator : SystemAllocator<Value> {
+  static_assert(std::is_trivially_destructible_v<Value>);
+
+  template <typename Other>
+  struct rebind {
+    using other = UnfilledAllocator<Other>;
+  };
+
+  Value*
+  allocate(std::size_t count)
+  {
+    Value* const memory = SystemAllocator<Value>::allocate(count);
+    adviseLargePages(memory, count * sizeof(Value));
+    return memory;
+  }
+
+  void
+  construct(Value*)
+  {}
+
+  template <typename Argument, typename... Arguments>
+  void
+  construct(Value* place, Argument&& first, Arguments&&... others)
+  {
+    ::new (static_cast<void*>(place))
+        Value(std::forward<Argument>(first), std::forward<Arguments>(others)...);
+  }
+};
+
+/** \brief Array whose values are undefined until they are assigned. */
+template <typename Value>
+using UnfilledArray = std::vector<Value, UnfilledAllocator<Value>>;
 
 } // namespace pcl::acmap

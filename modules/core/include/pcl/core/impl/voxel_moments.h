@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/impl/large_memory.h>
 #include <pcl/core/impl/moments.h>
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/impl/voxel_lattice.h>
@@ -51,8 +52,8 @@ struct ColorSum {
  * the points or on the number of threads. \ingroup core */
 struct VoxelMoments {
   VoxelLattice lattice;
-  LargeVector<VoxelCell> cells;
-  LargeVector<ColorSum> colors;   ///< parallel to the cells; empty without a ColorView
+  UnfilledArray<VoxelCell> cells;
+  UnfilledArray<ColorSum> colors; ///< parallel to the cells; empty without a ColorView
   std::size_t invalid_points = 0; ///< number of points that are not finite
   std::size_t distant_points = 0; ///< number of points outside the lattice
 };
