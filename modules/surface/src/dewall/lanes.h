@@ -56,6 +56,22 @@ bitsOf(const LaneMask& mask)
 #endif
 }
 
+/** Returns a bit for each of four integers that equals a value. */
+ACMAP_INLINE unsigned
+bitsOfEqual(const int* four, int value)
+{
+#if defined(__SSE2__)
+  const __m128i all = _mm_loadu_si128(reinterpret_cast<const __m128i*>(four));
+  return static_cast<unsigned>(
+      _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(all, _mm_set1_epi32(value)))));
+#else
+  unsigned bits = 0;
+  for (int lane = 0; lane < 4; ++lane)
+    bits |= static_cast<unsigned>(four[lane] == value) << lane;
+  return bits;
+#endif
+}
+
 ACMAP_INLINE unsigned
 lowestBit(unsigned bits)
 {
