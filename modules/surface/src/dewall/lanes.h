@@ -31,10 +31,28 @@ allLanes(float value)
   return Lanes{value, value, value, value, value, value, value, value};
 }
 
+ACMAP_INLINE LaneMask
+loadIntegers(const int* from)
+{
+  LaneMask lanes;
+  __builtin_memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
+
+ACMAP_INLINE LaneMask
+allIntegers(int value)
+{
+  return LaneMask{value, value, value, value, value, value, value, value};
+}
+
 ACMAP_INLINE Lanes
 maxLanes(const Lanes& a, const Lanes& b)
 {
+#if defined(ACMAP_DEWALL_AVX2)
+  return _mm256_max_ps(a, b); // b where they cannot be compared, as below
+#else
   return a > b ? a : b;
+#endif
 }
 
 /** Returns a bit for each lane whose mask is set. */
