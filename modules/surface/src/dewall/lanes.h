@@ -96,4 +96,34 @@ lowestBit(unsigned bits)
   return static_cast<unsigned>(__builtin_ctz(bits));
 }
 
+/** Returns the lane with the smallest value among those whose bits are set, at least
+ * one; none of them may be NaN. */
+ACMAP_INLINE unsigned
+smallestLane(const Lanes& values, unsigned lanes)
+{
+#if defined(ACMAP_DEWALL_AVX2)
+  const __m256i bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+  const __m256i chosen = _mm256_cmpeq_epi32(
+      _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(lanes)), bit), bit);
+  const __m256 valid = _mm256_blendv_ps(
+      _mm256_set1_ps(__builtin_inff()), values, _mm256_castsi256_ps(chosen));
+  __m128 least =
+      _mm_min_ps(_mm256_castps256_ps128(valid), _mm256_extractf128_ps(valid, 1));
+  least = _mm_min_ps(least, _mm_movehl_ps(least, least));
+  least = _mm_min_ss(least, _mm_movehdup_ps(least));
+  const __m256 all = _mm256_broadcastss_ps(least);
+  return lowestBit(static_cast<unsigned>(
+                       _mm256_movemask_ps(_mm256_cmp_ps(values, all, _CMP_EQ_OQ))) &
+                   lanes);
+#else
+  float each[8];
+  __builtin_memcpy(each, &values, sizeof each);
+  unsigned smallest = lowestBit(lanes);
+  for (lanes &= lanes - 1; lanes; lanes &= lanes - 1)
+    if (each[lowestBit(lanes)] < each[smallest])
+      smallest = lowestBit(lanes);
+  return smallest;
+#endif
+}
+
 } // namespace pcl::acmap::ACMAP_DEWALL

@@ -98,10 +98,8 @@ walkGroup(
   if (without >= 0)
     left &= ~(1u << without);
   while (left) {
-    unsigned nearest = lowestBit(left);
-    for (unsigned rest = left & (left - 1); rest; rest &= rest - 1)
-      if (squared[lowestBit(rest)] < squared[nearest])
-        nearest = lowestBit(rest);
+    const unsigned nearest =
+        left & (left - 1) ? smallestLane(squared, left) : lowestBit(left);
     left &= ~(1u << nearest);
     const float now = visitor.ball.reach();
     if (visitor.ball.radius < 0 || squared[nearest] > now * now)
