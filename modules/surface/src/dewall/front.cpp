@@ -109,7 +109,7 @@ Front::process(const Side& side, const Range& range, Doubt doubt)
       deferred_.push_back(side);
       return;
     }
-    if (mask && !isSphereEmpty(tree_, {side.b, side.a, apex}))
+    if (mask && !isSphereEmpty(tree_, {side.b, side.a, apex}, base->opposites))
       return;
     if (tryCandidate(mesh_.propose(side, apex, base), range, doubt))
       return;
