@@ -122,7 +122,8 @@ guardedMesh(const PointTree& tree,
       finishMesh(mesh, size, settings.rule, parts, std::move(contradictions), tick);
   const std::vector<TriangleList> lists = listsOf(parts, mesh, report);
   timer.finish("last passes");
-  arrays.edges.clear(); // only the triangles are needed from here on
+  countVertices(arrays, report);
+  arrays.releaseVertices(); // only the triangles are needed from here on
   report.clusters = countClusters(tree, size, lists);
   timer.finish("clusters");
   TriangleMesh result = orientedMesh(

@@ -26,12 +26,14 @@ public:
     return i;
   }
 
-  void
+  /** \brief Returns false if both were in one set before. */
+  bool
   unite(std::int32_t i, std::int32_t j)
   {
     i = find(i);
     j = find(j);
     parent(std::max(i, j)) = std::min(i, j);
+    return i != j;
   }
 
 private:

@@ -74,6 +74,20 @@ bitsOf(const LaneMask& mask)
 #endif
 }
 
+/** Is each of four numbers greater than the one at its place among four others? */
+ACMAP_INLINE bool
+areAllGreater(const float* four, const float* others)
+{
+#if defined(__SSE2__)
+  return _mm_movemask_ps(_mm_cmpgt_ps(_mm_loadu_ps(four), _mm_loadu_ps(others))) == 0xf;
+#else
+  bool all = true;
+  for (int lane = 0; lane < 4; ++lane)
+    all &= four[lane] > others[lane];
+  return all;
+#endif
+}
+
 /** Returns a bit for each of four integers that equals a value. */
 ACMAP_INLINE unsigned
 bitsOfEqual(const int* four, int value)

@@ -75,6 +75,15 @@ struct MeshArrays {
   MeshArrays&
   operator=(const MeshArrays&) = delete;
 
+  /** \brief Frees the memory of vertices and edges. */
+  void
+  releaseVertices()
+  {
+    std::vector<Vertex>().swap(vertices);
+    std::vector<Eigen::Vector3f>().swap(normals);
+    edges.clear();
+  }
+
   Vertex&
   vertex(std::int32_t i)
   {

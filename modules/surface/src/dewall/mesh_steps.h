@@ -90,9 +90,14 @@ countClusters(const PointTree& tree,
               const SizeConstraint& size,
               const std::vector<TriangleList>& lists);
 
+/** \brief Sets the report's counts of used points and boundary edges. */
+void
+countVertices(const MeshArrays& arrays, DeWallReport& report);
+
 /** \brief Converts the grown triangles to a mesh of source indices. Each component is
  * oriented as a whole, by the facing directions if known, otherwise towards the sensor
- * (by projected area). The report's counts of the mesh are set. */
+ * (by projected area). The report's other counts of the mesh are set.
+ * \param[in] grown its vertices are not needed any more */
 TriangleMesh
 orientedMesh(GrowingMesh& grown,
              const std::vector<TriangleList>& lists,

@@ -6,21 +6,10 @@ namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
-/** \brief Components of the mesh by vertices: as each vertex has only one fan,
- * triangles that share a vertex are also connected by edges. */
-DisjointSets
-findComponents(const PointTree& tree, const std::vector<TriangleList>& lists)
-{
-  DisjointSets components(tree.size());
-  for (const TriangleList& list : lists)
-    for (const GrownTriangle& triangle : *list.triangles) {
-      components.unite(triangle.corners[0], triangle.corners[1]);
-      components.unite(triangle.corners[0], triangle.corners[2]);
-    }
-  return components;
-}
-
-/** \brief Orients each component so that the larger area faces the sensor. */
+/** \brief Orients each component so that the larger area faces the sensor.
+ *
+ * Components are joined by vertices: as each vertex has only one fan, triangles that
+ * share a vertex are also connected by edges. */
 class Turning {
 public:
   Turning(GrowingMesh& grown,
@@ -28,9 +17,14 @@ public:
           const Eigen::Vector3d& sensor)
   : grown_(grown)
   , tree_(grown.arrays().tree)
-  , components_(findComponents(tree_, lists))
+  , components_(tree_.size())
   , shown_(static_cast<std::size_t>(tree_.size()))
   {
+    for (const TriangleList& list : lists)
+      for (const GrownTriangle& triangle : *list.triangles) {
+        joined_ += components_.unite(triangle.corners[0], triangle.corners[1]);
+        joined_ += components_.unite(triangle.corners[0], triangle.corners[2]);
+      }
     const Facing& facing = grown.arrays().facing;
     for (const TriangleList& list : lists)
       for (const GrownTriangle& triangle : *list.triangles) {
@@ -47,13 +41,11 @@ public:
     return isFlipped(triangle) != (shownOf(triangle) < 0);
   }
 
+  /** \brief Number of components of a mesh with this number of vertices. */
   std::size_t
-  count()
+  count(std::size_t vertices) const
   {
-    std::size_t count = 0;
-    for (std::int32_t v = 0; v < tree_.size(); ++v)
-      count += grown_.isUsed(v) && components_.find(v) == v;
-    return count;
+    return vertices - joined_;
   }
 
 private:
@@ -72,23 +64,22 @@ private:
   GrowingMesh& grown_;
   const PointTree& tree_;
   DisjointSets components_;
+  std::size_t joined_ = 0; ///< each time, two components became one
   std::vector<double> shown_;
 };
 
+} // namespace
+
 void
-count(GrowingMesh& grown, DeWallReport& report)
+countVertices(const MeshArrays& arrays, DeWallReport& report)
 {
-  const std::vector<Vertex>& vertices = grown.arrays().vertices;
   std::size_t open_ends = 0;
-  for (const Vertex& v : vertices) {
+  for (const Vertex& v : arrays.vertices) {
     report.used_points += v.triangles > 0;
     open_ends += v.open_edges;
   }
   report.boundary_edges = open_ends / 2;
-  report.edges = (3 * report.triangles + report.boundary_edges) / 2;
 }
-
-} // namespace
 
 TriangleMesh
 orientedMesh(GrowingMesh& grown,
@@ -101,8 +92,8 @@ orientedMesh(GrowingMesh& grown,
   Turning turning(grown, lists, sensor_origin);
   for (const TriangleList& list : lists)
     report.triangles += list.triangles->size();
-  report.components = turning.count();
-  count(grown, report);
+  report.components = turning.count(report.used_points);
+  report.edges = (3 * report.triangles + report.boundary_edges) / 2;
   TriangleMesh mesh;
   mesh.triangles.reserve(report.triangles);
   for (const TriangleList& list : lists) {

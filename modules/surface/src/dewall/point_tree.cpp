@@ -196,6 +196,7 @@ PointTree::makeGroups()
     auto& groups = boxes_[static_cast<std::size_t>(level)];
     groups.assign(static_cast<std::size_t>((members + 7) / 8), noBoxes());
     cells_.boxes[level] = groups.data();
+    cells_.members[level] = members < 8 ? (1u << members) - 1 : 0xff;
     for (std::int32_t m = 0; m < members; ++m) {
       SiblingBoxes& boxes = groups[static_cast<std::size_t>(m / 8)];
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -229,8 +230,8 @@ PointTree::makeCells(int level)
   cells_.cells[level] = cells.data();
   for (std::size_t g = 0; g < cells.size(); ++g) {
     CellBox& cell = cells[g];
-    std::fill_n(cell.low, 3, -infinity);
-    std::fill_n(cell.high, 3, infinity);
+    std::fill_n(cell.low, 4, -infinity);
+    std::fill_n(cell.high, 4, infinity);
     for (int d = depth; d > 0; --d) {
       const std::size_t child = g >> (depth - d);
       const Plane& plane = planeOf({d - 1, static_cast<std::int32_t>(child / 2)});
