@@ -124,10 +124,15 @@ guardedMesh(const PointTree& tree,
   timer.finish("last passes");
   countVertices(arrays, report);
   arrays.releaseVertices(); // only the triangles are needed from here on
-  report.clusters = countClusters(tree, size, lists);
+  DisjointSets components = findComponents(tree, lists);
+  report.clusters = countClusters(tree, size, components);
   timer.finish("clusters");
-  TriangleMesh result = orientedMesh(
-      mesh, lists, settings.sensor_origin, settings.compute_wall_depth, report);
+  TriangleMesh result = orientedMesh(mesh,
+                                     lists,
+                                     std::move(components),
+                                     settings.sensor_origin,
+                                     settings.compute_wall_depth,
+                                     report);
   timer.finish("orientation");
   return result;
 }

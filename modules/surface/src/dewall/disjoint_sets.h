@@ -26,14 +26,22 @@ public:
     return i;
   }
 
-  /** \brief Returns false if both were in one set before. */
-  bool
+  void
   unite(std::int32_t i, std::int32_t j)
   {
     i = find(i);
     j = find(j);
     parent(std::max(i, j)) = std::min(i, j);
-    return i != j;
+  }
+
+  /** \brief Number of sets, including those of one index. */
+  std::size_t
+  count()
+  {
+    std::size_t sets = 0;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(parent_.size()); ++i)
+      sets += parent(i) == i;
+    return sets;
   }
 
 private:

@@ -153,30 +153,33 @@ GrowingMesh::detachEdge(const Side& side, std::int32_t opposite, std::int32_t co
   if (--edge.triangles == 0)
     arrays_.removeEdge(side.a, side.b, memory_of_edges_);
   else if (edge.componentNumber() == component &&
-           bool(edge.ascending) == (side.a < side.b) && !isSeam(side))
+           bool(edge.ascending) == (side.a < side.b) &&
+           !(arrays_.is(side.a, VertexFlag::mixed) &&
+             arrays_.is(side.b, VertexFlag::mixed)))
     edge.ascending = !edge.ascending; // the other triangle is of the same component
-}
-
-bool
-GrowingMesh::isSeam(const Side& side) const
-{
-  return arrays_.is(side.a, VertexFlag::mixed) && arrays_.is(side.b, VertexFlag::mixed);
 }
 
 void
 GrowingMesh::reassignSeams(const std::vector<GrownTriangle>& triangles)
 {
-  for (const GrownTriangle& triangle : triangles)
-    for (const Side& side : sidesOf(triangle)) {
-      if (!isSeam(side) || !arrays_.is(side.a, VertexFlag::lost) ||
-          !arrays_.is(side.b, VertexFlag::lost))
+  constexpr std::uint8_t both = VertexFlag::mixed | VertexFlag::lost;
+  for (const GrownTriangle& triangle : triangles) {
+    std::array<bool, 3> is_doubtful;
+    for (std::size_t i = 0; i < 3; ++i)
+      is_doubtful[i] = (arrays_.flagsOf(triangle.corners[i]) & both) == both;
+    if (is_doubtful[0] + is_doubtful[1] + is_doubtful[2] < 2)
+      continue;
+    const std::array<Side, 3> sides = sidesOf(triangle);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!is_doubtful[i] || !is_doubtful[(i + 1) % 3])
         continue;
-      Edge& edge = *arrays_.find(side.a, side.b);
+      Edge& edge = *arrays_.find(sides[i].a, sides[i].b);
       if (edge.isOpen()) {
         edge.setComponent(triangle.component);
-        edge.ascending = side.a < side.b;
+        edge.ascending = sides[i].a < sides[i].b;
       }
     }
+  }
 }
 
 void

@@ -298,10 +298,6 @@ private:
   void
   detachEdge(const Side& side, std::int32_t opposite, std::int32_t component);
 
-  /** \brief May the triangles at an edge belong to different components? */
-  bool
-  isSeam(const Side& side) const;
-
   void
   reassignSeams(const std::vector<GrownTriangle>& triangles);
 

@@ -90,10 +90,16 @@ struct MeshArrays {
     return vertices[static_cast<std::size_t>(i)];
   }
 
+  std::uint8_t
+  flagsOf(std::int32_t i) const
+  {
+    return flags[static_cast<std::size_t>(i)];
+  }
+
   bool
   is(std::int32_t i, std::uint8_t flag) const
   {
-    return (flags[static_cast<std::size_t>(i)] & flag) != 0;
+    return (flagsOf(i) & flag) != 0;
   }
 
   void

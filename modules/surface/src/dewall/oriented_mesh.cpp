@@ -6,25 +6,18 @@ namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
-/** \brief Orients each component so that the larger area faces the sensor.
- *
- * Components are joined by vertices: as each vertex has only one fan, triangles that
- * share a vertex are also connected by edges. */
+/** \brief Orients each component so that the larger area faces the sensor. */
 class Turning {
 public:
   Turning(GrowingMesh& grown,
           const std::vector<TriangleList>& lists,
+          DisjointSets components,
           const Eigen::Vector3d& sensor)
   : grown_(grown)
   , tree_(grown.arrays().tree)
-  , components_(tree_.size())
+  , components_(std::move(components))
   , shown_(static_cast<std::size_t>(tree_.size()))
   {
-    for (const TriangleList& list : lists)
-      for (const GrownTriangle& triangle : *list.triangles) {
-        joined_ += components_.unite(triangle.corners[0], triangle.corners[1]);
-        joined_ += components_.unite(triangle.corners[0], triangle.corners[2]);
-      }
     const Facing& facing = grown.arrays().facing;
     for (const TriangleList& list : lists)
       for (const GrownTriangle& triangle : *list.triangles) {
@@ -39,13 +32,6 @@ public:
   turns(const GrownTriangle& triangle)
   {
     return isFlipped(triangle) != (shownOf(triangle) < 0);
-  }
-
-  /** \brief Number of components of a mesh with this number of vertices. */
-  std::size_t
-  count(std::size_t vertices) const
-  {
-    return vertices - joined_;
   }
 
 private:
@@ -64,7 +50,6 @@ private:
   GrowingMesh& grown_;
   const PointTree& tree_;
   DisjointSets components_;
-  std::size_t joined_ = 0; ///< each time, two components became one
   std::vector<double> shown_;
 };
 
@@ -81,18 +66,32 @@ countVertices(const MeshArrays& arrays, DeWallReport& report)
   report.boundary_edges = open_ends / 2;
 }
 
+DisjointSets
+findComponents(const PointTree& tree, const std::vector<TriangleList>& lists)
+{
+  DisjointSets components(tree.size());
+  for (const TriangleList& list : lists)
+    for (const GrownTriangle& triangle : *list.triangles) {
+      components.unite(triangle.corners[0], triangle.corners[1]);
+      components.unite(triangle.corners[0], triangle.corners[2]);
+    }
+  return components;
+}
+
 TriangleMesh
 orientedMesh(GrowingMesh& grown,
              const std::vector<TriangleList>& lists,
+             DisjointSets components,
              const Eigen::Vector3d& sensor_origin,
              bool compute_wall_depth,
              DeWallReport& report)
 {
   const PointTree& tree = grown.arrays().tree;
-  Turning turning(grown, lists, sensor_origin);
+  const std::size_t unused = static_cast<std::size_t>(tree.size()) - report.used_points;
+  report.components = components.count() - unused; // each of which is a set
+  Turning turning(grown, lists, std::move(components), sensor_origin);
   for (const TriangleList& list : lists)
     report.triangles += list.triangles->size();
-  report.components = turning.count(report.used_points);
   report.edges = (3 * report.triangles + report.boundary_edges) / 2;
   TriangleMesh mesh;
   mesh.triangles.reserve(report.triangles);
