@@ -50,6 +50,7 @@
 #include "dewall/literal_builder.cpp"
 #include "dewall/literal_mesh.cpp"
 #include "dewall/literal_search.cpp"
+#include "dewall/mesh_arrays.cpp"
 #include "dewall/oriented_mesh.cpp"
 #include "dewall/predicates.cpp"
 #include "dewall/refill.cpp"

@@ -228,7 +228,7 @@ remarkOnPoints(const VoxelMoments& voxels, ConsolidationReport& report)
 }
 
 std::vector<Representative>
-keptOf(const std::vector<Candidate>& candidates, const Thinning& thinning)
+keptOf(const LargeVector<Candidate>& candidates, const Thinning& thinning)
 {
   std::vector<Representative> kept(thinning.kept.size());
   parallelForChunks(kept.size(), [&](std::size_t begin, std::size_t end) {

@@ -96,7 +96,7 @@ public:
 
 private:
   static std::vector<PointHash::Entry>
-  entriesOf(const std::vector<Candidate>& candidates)
+  entriesOf(const LargeVector<Candidate>& candidates)
   {
     std::vector<PointHash::Entry> entries(candidates.size());
     parallelForChunks(candidates.size(), [&](std::size_t begin, std::size_t end) {

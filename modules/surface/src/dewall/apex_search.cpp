@@ -210,9 +210,17 @@ isApexAllowed(const SizeConstraint& size, const SideFrame& side, const Apex& ape
 }
 
 bool
-isSphereEmpty(const PointTree& tree, const std::array<std::int32_t, 3>& corners)
+isSphereEmpty(const PointTree& tree,
+              const std::array<std::int32_t, 3>& corners,
+              std::int32_t first_tested)
 {
   const Sphere sphere = sphereOf(tree, corners);
+  const double inside = sphere.radius * (1 - sphere_tolerance);
+  const auto isInside = [&](std::int32_t i) {
+    return (tree.position(i) - sphere.centre).squaredNorm() < inside * inside;
+  };
+  if (first_tested >= 0 && isInside(first_tested))
+    return false;
   if (!isWithinFloats(sphere.radius))
     return isSphereEmptyOneByOne(tree, corners, sphere);
   SearchHits hits;
@@ -220,11 +228,7 @@ isSphereEmpty(const PointTree& tree, const std::array<std::int32_t, 3>& corners)
     return false;
   if (hits.count > SearchHits::capacity)
     return isSphereEmptyOneByOne(tree, corners, sphere);
-  const double inside = sphere.radius * (1 - sphere_tolerance);
-  for (std::int32_t i = 0; i < hits.count; ++i)
-    if ((tree.position(hits.index[i]) - sphere.centre).squaredNorm() < inside * inside)
-      return false;
-  return true;
+  return std::none_of(hits.index, hits.index + hits.count, isInside);
 }
 
 } // namespace pcl::acmap::ACMAP_DEWALL

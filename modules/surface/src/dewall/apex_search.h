@@ -122,8 +122,12 @@ sphereOf(const PointTree& tree, const std::array<std::int32_t, 3>& corners)
 }
 
 /** \brief The paper's Delaunay condition: no point is inside the smallest sphere
- * through three others, up to \ref sphere_tolerance. */
+ * through three others, up to \ref sphere_tolerance.
+ * \param[in] first_tested a point that is often inside; it must not be a corner. -1: no
+ * such point */
 bool
-isSphereEmpty(const PointTree& tree, const std::array<std::int32_t, 3>& corners);
+isSphereEmpty(const PointTree& tree,
+              const std::array<std::int32_t, 3>& corners,
+              std::int32_t first_tested = -1);
 
 } // namespace pcl::acmap::ACMAP_DEWALL

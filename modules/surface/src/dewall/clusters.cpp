@@ -6,24 +6,17 @@ namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
-/** \brief Connects points by triangles, then within and between leaves; pairs that are
- * already connected are skipped. */
+/** \brief Connects points within and between leaves; pairs that are already connected
+ * are skipped. */
 class Clustering {
 public:
-  Clustering(const PointTree& tree,
-             const SizeConstraint& size,
-             const std::vector<TriangleList>& lists)
+  Clustering(const PointTree& tree, const SizeConstraint& size, DisjointSets connected)
   : tree_(tree)
   , size_(size)
-  , sets_(tree.size())
+  , sets_(std::move(connected))
   , is_one_set_(static_cast<std::size_t>(tree.leafCount()))
   , has_searched_(static_cast<std::size_t>(tree.leafCount()))
   {
-    for (const TriangleList& list : lists)
-      for (const GrownTriangle& triangle : *list.triangles) {
-        sets_.unite(triangle.corners[0], triangle.corners[1]);
-        sets_.unite(triangle.corners[0], triangle.corners[2]);
-      }
     // Of two sets, at least one is not the largest; this one searches for the other.
     const std::int32_t largest = memberOfLargest();
     for (std::int32_t leaf = 0; leaf < tree.leafCount(); ++leaf)
@@ -159,11 +152,9 @@ private:
 } // namespace
 
 DisjointSets
-findClusters(const PointTree& tree,
-             const SizeConstraint& size,
-             const std::vector<TriangleList>& lists)
+findClusters(const PointTree& tree, const SizeConstraint& size, DisjointSets connected)
 {
-  return Clustering(tree, size, lists).takeSets();
+  return Clustering(tree, size, std::move(connected)).takeSets();
 }
 
 std::vector<std::int32_t>
@@ -176,11 +167,9 @@ clusterSizes(DisjointSets& clusters, std::int32_t points)
 }
 
 std::size_t
-countClusters(const PointTree& tree,
-              const SizeConstraint& size,
-              const std::vector<TriangleList>& lists)
+countClusters(const PointTree& tree, const SizeConstraint& size, DisjointSets connected)
 {
-  DisjointSets clusters = findClusters(tree, size, lists);
+  DisjointSets clusters = findClusters(tree, size, std::move(connected));
   const std::vector<std::int32_t> sizes = clusterSizes(clusters, tree.size());
   return static_cast<std::size_t>(std::count_if(
       sizes.begin(), sizes.end(), [](auto n) { return n >= min_cluster; }));

@@ -122,11 +122,17 @@ guardedMesh(const PointTree& tree,
       finishMesh(mesh, size, settings.rule, parts, std::move(contradictions), tick);
   const std::vector<TriangleList> lists = listsOf(parts, mesh, report);
   timer.finish("last passes");
-  arrays.edges.clear(); // only the triangles are needed from here on
-  report.clusters = countClusters(tree, size, lists);
+  countVertices(arrays, report);
+  arrays.releaseVertices(); // only the triangles are needed from here on
+  DisjointSets components = findComponents(tree, lists);
+  report.clusters = countClusters(tree, size, components);
   timer.finish("clusters");
-  TriangleMesh result = orientedMesh(
-      mesh, lists, settings.sensor_origin, settings.compute_wall_depth, report);
+  TriangleMesh result = orientedMesh(mesh,
+                                     lists,
+                                     std::move(components),
+                                     settings.sensor_origin,
+                                     settings.compute_wall_depth,
+                                     report);
   timer.finish("orientation");
   return result;
 }

@@ -34,6 +34,16 @@ public:
     parent(std::max(i, j)) = std::min(i, j);
   }
 
+  /** \brief Number of sets, including those of one index. */
+  std::size_t
+  count()
+  {
+    std::size_t sets = 0;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(parent_.size()); ++i)
+      sets += parent(i) == i;
+    return sets;
+  }
+
 private:
   std::int32_t&
   parent(std::int32_t i)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "variant.h"
+#include "lanes.h"
 
 #include <cstdint>
 #include <memory>
@@ -12,13 +12,11 @@
 
 namespace pcl::acmap::ACMAP_DEWALL {
 
-/** \brief An edge of the mesh. */
+/** \brief An edge of the mesh. It is stored at its lower end. */
 struct Edge {
   static constexpr std::uint32_t largest_component = (1u << 29) - 1;
 
-  std::int32_t high;      ///< its higher end; the edge is in the list of its lower end
-  std::int32_t next;      ///< next edge in this list, -1 at the end
-  std::int32_t opposites; ///< XOR of the third corners of its triangles
+  std::int32_t opposites;       ///< XOR of the third corners of its triangles
   std::uint32_t component : 29; ///< component of its first triangle
   std::uint32_t ascending : 1;  ///< its first triangle runs from lower to higher end
   std::uint32_t triangles : 2;  ///< their number, at most 2
@@ -42,31 +40,55 @@ struct Edge {
   }
 };
 
-/** \brief Storage of edges that is filled by concurrent tasks; the index of an edge
- * does not change. */
+/** \brief Up to four edges with the same lower end. Their higher ends are side by side,
+ * so that one comparison finds an edge. */
+struct EdgeBlock {
+  static constexpr int capacity = 4;
+  static constexpr std::int32_t empty = -1;
+
+  std::int32_t high[capacity] = {empty, empty, empty, empty};
+  Edge edges[capacity];
+
+  /** \brief Returns the edge to a higher end, nullptr if it is not in this block. */
+  Edge*
+  find(std::int32_t end)
+  {
+    const unsigned places = bitsOfEqual(high, end);
+    return places ? &edges[lowestBit(places)] : nullptr;
+  }
+};
+
+/** \brief The fifth and further edges of a vertex. */
+struct MoreEdges {
+  EdgeBlock block;
+  std::int32_t next = -1; ///< where the list continues, -1 at its end
+};
+
+/** \brief Storage of the edges beyond the first four of each vertex. It is filled by
+ * concurrent tasks; the index of an entry does not change. */
 class EdgePool {
 public:
   explicit EdgePool(std::int32_t points)
-  : blocks_(64 + static_cast<std::size_t>(points) / (block_size / 24))
+  : runs_(64 + static_cast<std::size_t>(points) / (run_size / 6))
   {}
 
-  /** \brief Removes all edges. */
+  /** \brief Removes all entries. */
   void
   clear()
   {
-    blocks_.clear();
+    runs_.clear();
     spare_.clear();
     taken_ = 0;
   }
 
-  Edge&
+  MoreEdges&
   operator[](std::int32_t e)
   {
-    return blocks_[static_cast<std::size_t>(e) / block_size]
-                  [static_cast<std::size_t>(e) % block_size];
+    return runs_[static_cast<std::size_t>(e) / run_size]
+                [static_cast<std::size_t>(e) % run_size];
   }
 
-  /** \brief Allocates new edges for one task, block by block. */
+  /** \brief Allocates new entries for one task, run by run. */
   class Cursor {
   public:
     explicit Cursor(EdgePool& pool)
@@ -82,40 +104,49 @@ public:
       const std::lock_guard<std::mutex> lock(pool_->mutex_);
       if (next_ != end_)
         pool_->spare_.emplace_back(next_, end_);
-      for (const std::int32_t edge : given_back_)
-        pool_->spare_.emplace_back(edge, edge + 1);
+      for (const std::int32_t entry : given_back_)
+        pool_->spare_.emplace_back(entry, entry + 1);
     }
 
-    /** \brief Frees an edge that is no longer in a list. */
+    /** \brief Frees an entry that is no longer in a list. */
     void
-    giveBack(std::int32_t edge)
+    giveBack(std::int32_t entry)
     {
-      given_back_.push_back(edge);
+      given_back_.push_back(entry);
     }
 
+    /** \brief Returns an entry without edges. */
     std::int32_t
     take()
     {
+      const std::int32_t entry = takeAny();
+      (*pool_)[entry] = {};
+      return entry;
+    }
+
+  private:
+    std::int32_t
+    takeAny()
+    {
       if (!given_back_.empty()) {
-        const std::int32_t edge = given_back_.back();
+        const std::int32_t entry = given_back_.back();
         given_back_.pop_back();
-        return edge;
+        return entry;
       }
       if (next_ == end_)
         std::tie(next_, end_) = pool_->takeRun();
       return next_++;
     }
 
-  private:
     EdgePool* pool_;
     std::int32_t next_ = 0, end_ = 0;
     std::vector<std::int32_t> given_back_;
   };
 
 private:
-  static constexpr std::size_t block_size = 1024;
+  static constexpr std::size_t run_size = 1024;
 
-  /** \brief Returns the rest of a block of another task, or a new block. */
+  /** \brief Returns the rest of a run of another task, or a new run. */
   std::pair<std::int32_t, std::int32_t>
   takeRun()
   {
@@ -125,16 +156,16 @@ private:
       spare_.pop_back();
       return run;
     }
-    if (taken_ == blocks_.size())
+    if (taken_ == runs_.size())
       throw std::bad_alloc();
-    blocks_[taken_] = std::make_unique<Edge[]>(block_size);
-    const auto first = static_cast<std::int32_t>(taken_++ * block_size);
-    return {first, first + static_cast<std::int32_t>(block_size)};
+    runs_[taken_] = std::make_unique<MoreEdges[]>(run_size);
+    const auto first = static_cast<std::int32_t>(taken_++ * run_size);
+    return {first, first + static_cast<std::int32_t>(run_size)};
   }
 
-  std::vector<std::unique_ptr<Edge[]>> blocks_;
+  std::vector<std::unique_ptr<MoreEdges[]>> runs_;
   std::size_t taken_ = 0;
-  std::vector<std::pair<std::int32_t, std::int32_t>> spare_; ///< runs of edges
+  std::vector<std::pair<std::int32_t, std::int32_t>> spare_;
   std::mutex mutex_;
 };
 

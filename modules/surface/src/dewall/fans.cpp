@@ -1,3 +1,4 @@
+#include "lanes.h"
 #include "mesh_steps.h"
 
 #include <pcl/core/impl/parallel.h>
@@ -11,16 +12,6 @@ namespace {
 
 using Incidence = std::pair<std::int32_t, GrownTriangle*>; ///< vertex, triangle
 
-bool
-shareEdgeAt(std::int32_t v, const GrownTriangle& s, const GrownTriangle& t)
-{
-  for (const std::int32_t corner : s.corners)
-    if (corner != v &&
-        std::find(t.corners.begin(), t.corners.end(), corner) != t.corners.end())
-      return true;
-  return false;
-}
-
 /** \brief Finds the triangles at a vertex that are not in its largest fan. If there are
  * several largest fans, the one of the earliest triangle is kept. */
 class SmallerFans {
@@ -28,12 +19,14 @@ public:
   const std::vector<GrownTriangle*>&
   find(std::int32_t v, const std::vector<GrownTriangle*>& incident)
   {
-    fan_.assign(incident.size(), -1);
-    sizes_.clear();
     smaller_.clear();
+    link(v, incident);
+    fan_.assign(incident.size(), -1);
+    reached_.assign(words_, 0);
+    sizes_.clear();
     for (std::size_t seed = 0; seed < incident.size(); ++seed)
       if (fan_[seed] < 0)
-        collect(v, incident, seed);
+        collect(seed);
     if (sizes_.size() < 2)
       return smaller_;
     const auto largest =
@@ -45,22 +38,61 @@ public:
   }
 
 private:
+  static constexpr std::size_t word = 64;
+
+  /** \brief Notes for each triangle, as bits, which ones share an edge at the vertex
+   * with it: their other two corners are compared eight by eight. */
   void
-  collect(std::int32_t v, const std::vector<GrownTriangle*>& incident, std::size_t seed)
+  link(std::int32_t v, const std::vector<GrownTriangle*>& incident)
+  {
+    const std::size_t size = incident.size();
+    const std::size_t padded = (size + 7) / 8 * 8;
+    words_ = (size + word - 1) / word;
+    first_.assign(padded, -1);
+    second_.assign(padded, -1);
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto [a, b, c] = incident[i]->corners;
+      first_[i] = a == v ? b : a;
+      second_[i] = c == v ? b : c;
+    }
+    links_.assign(size * words_, 0);
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j < padded; j += 8) {
+        const LaneMask one = loadIntegers(&first_[j]),
+                       other = loadIntegers(&second_[j]);
+        const LaneMask p = allIntegers(first_[i]), q = allIntegers(second_[i]);
+        const std::uint64_t bits =
+            bitsOf((one == p) | (one == q) | (other == p) | (other == q));
+        links_[i * words_ + j / word] |= bits << (j % word);
+      }
+  }
+
+  void
+  collect(std::size_t seed)
   {
     const auto fan = static_cast<std::ptrdiff_t>(sizes_.size());
     members_.assign(1, seed);
     fan_[seed] = fan;
+    reached_[seed / word] |= std::uint64_t{1} << (seed % word);
     for (std::size_t next = 0; next < members_.size(); ++next)
-      for (std::size_t i = seed + 1; i < incident.size(); ++i)
-        if (fan_[i] < 0 && shareEdgeAt(v, *incident[members_[next]], *incident[i])) {
+      for (std::size_t w = 0; w < words_; ++w) {
+        std::uint64_t more = links_[members_[next] * words_ + w] & ~reached_[w];
+        reached_[w] |= more;
+        for (; more; more &= more - 1) {
+          const std::size_t i =
+              w * word + static_cast<std::size_t>(__builtin_ctzll(more));
           fan_[i] = fan;
           members_.push_back(i);
         }
+      }
     sizes_.push_back(members_.size());
   }
 
-  std::vector<std::ptrdiff_t> fan_; ///< for each triangle
+  std::size_t words_ = 0;                    ///< for a bit per triangle
+  std::vector<std::int32_t> first_, second_; ///< other corners of each triangle
+  std::vector<std::uint64_t> links_;         ///< bits of each triangle
+  std::vector<std::uint64_t> reached_;       ///< triangles in some fan
+  std::vector<std::ptrdiff_t> fan_;          ///< for each triangle
   std::vector<std::size_t> sizes_, members_;
   std::vector<GrownTriangle*> smaller_;
 };

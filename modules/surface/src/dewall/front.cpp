@@ -6,10 +6,19 @@
 
 namespace pcl::acmap::ACMAP_DEWALL {
 
+namespace {
+
+/** \brief The vertices of an edge are brought to the cache while this number of edges
+ * before it is processed. */
+constexpr std::size_t look_ahead = 3;
+
+} // namespace
+
 void
 Front::advance(const Range& range)
 {
   for (std::size_t next = 0; next < queue_.size(); ++next) {
+    mesh_.prefetch(queue_[std::min(next + look_ahead, queue_.size() - 1)]);
     const Side side = queue_[next];
     process(side, range, Doubt::Postpones);
     tick_();
@@ -23,8 +32,12 @@ Front::advancePostponed(const Range& range)
   // Most of them have been resolved by a neighbour in the meantime.
   while (!postponed_.empty() || !bridges_.empty()) {
     while (!postponed_.empty()) {
-      for (const Candidate& candidate : std::exchange(postponed_, {}))
-        reconsider(candidate, range, Doubt::IsAllowed);
+      const std::vector<Candidate> candidates = std::exchange(postponed_, {});
+      for (std::size_t next = 0; next < candidates.size(); ++next) {
+        mesh_.prefetch(
+            candidates[std::min(next + look_ahead, candidates.size() - 1)].side);
+        reconsider(candidates[next], range, Doubt::IsAllowed);
+      }
       advance(range);
     }
     for (const Candidate& candidate : bridgesByVotes())
@@ -96,7 +109,7 @@ Front::process(const Side& side, const Range& range, Doubt doubt)
       deferred_.push_back(side);
       return;
     }
-    if (mask && !isSphereEmpty(tree_, {side.b, side.a, apex}))
+    if (mask && !isSphereEmpty(tree_, {side.b, side.a, apex}, base->opposites))
       return;
     if (tryCandidate(mesh_.propose(side, apex, base), range, doubt))
       return;

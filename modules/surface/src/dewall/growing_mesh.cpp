@@ -28,10 +28,10 @@ GrowingMesh::isOdd(const Side& side, std::int32_t apex, std::int32_t component)
   for (const std::int32_t end : {side.a, side.b}) {
     const Vertex& v = vertex(end);
     const ParityUnion::Root root = parity_.find(v.component);
-    const float along =
-        v.normal.dot(area) * (root.flipped != own.flipped ? -1.0f : 1.0f);
+    const Eigen::Vector3f& normal = arrays_.normal(end);
+    const float along = normal.dot(area) * (root.flipped != own.flipped ? -1.0f : 1.0f);
     if (root.component == own.component &&
-        along < static_cast<float>(cos_gentle_turn) * v.normal.norm() * plumpness)
+        along < static_cast<float>(cos_gentle_turn) * normal.norm() * plumpness)
       return true;
   }
   return false;
@@ -128,12 +128,9 @@ GrowingMesh::attach(const Side& side,
   const auto [from, to] = side;
   const bool ascending = from < to;
   if (!edge) {
-    std::int32_t& first = vertex(std::min(from, to)).first_edge;
-    const std::int32_t index = new_edges_.take();
-    edge = &arrays_.edges[index];
-    *edge = {std::max(from, to), first, opposite, 0, ascending, 0};
+    edge = &arrays_.addEdge(from, to, memory_of_edges_);
+    *edge = {opposite, 0, ascending, 0};
     edge->setComponent(component);
-    first = index;
     arrays_.countOpenEdge(from, to, 1);
   }
   else if (edge->isOpen()) {
@@ -148,30 +145,41 @@ GrowingMesh::attach(const Side& side,
 }
 
 void
-GrowingMesh::detachEdge(std::int32_t from, std::int32_t to, std::int32_t opposite)
+GrowingMesh::detachEdge(const Side& side, std::int32_t opposite, std::int32_t component)
 {
-  Edge& edge = *arrays_.find(from, to);
-  arrays_.countOpenEdge(from, to, edge.isOpen() ? -1 : 1);
+  Edge& edge = *arrays_.find(side.a, side.b);
+  arrays_.countOpenEdge(side.a, side.b, edge.isOpen() ? -1 : 1);
   edge.opposites ^= opposite;
   if (--edge.triangles == 0)
-    new_edges_.giveBack(arrays_.unlink(from, to));
+    arrays_.removeEdge(side.a, side.b, memory_of_edges_);
+  else if (edge.componentNumber() == component &&
+           bool(edge.ascending) == (side.a < side.b) &&
+           !(arrays_.is(side.a, VertexFlag::mixed) &&
+             arrays_.is(side.b, VertexFlag::mixed)))
+    edge.ascending = !edge.ascending; // the other triangle is of the same component
 }
 
 void
-GrowingMesh::reassignEdges(const std::vector<GrownTriangle>& triangles)
+GrowingMesh::reassignSeams(const std::vector<GrownTriangle>& triangles)
 {
-  for (const GrownTriangle& triangle : triangles)
-    for (const Side& side : sidesOf(triangle)) {
-      if (!arrays_.is(side.a, VertexFlag::lost) ||
-          !arrays_.is(side.b, VertexFlag::lost) || vertex(side.a).open_edges == 0 ||
-          vertex(side.b).open_edges == 0)
+  constexpr std::uint8_t both = VertexFlag::mixed | VertexFlag::lost;
+  for (const GrownTriangle& triangle : triangles) {
+    std::array<bool, 3> is_doubtful;
+    for (std::size_t i = 0; i < 3; ++i)
+      is_doubtful[i] = (arrays_.flagsOf(triangle.corners[i]) & both) == both;
+    if (is_doubtful[0] + is_doubtful[1] + is_doubtful[2] < 2)
+      continue;
+    const std::array<Side, 3> sides = sidesOf(triangle);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!is_doubtful[i] || !is_doubtful[(i + 1) % 3])
         continue;
-      Edge& edge = *arrays_.find(side.a, side.b);
+      Edge& edge = *arrays_.find(sides[i].a, sides[i].b);
       if (edge.isOpen()) {
         edge.setComponent(triangle.component);
-        edge.ascending = side.a < side.b;
+        edge.ascending = sides[i].a < sides[i].b;
       }
     }
+  }
 }
 
 void
@@ -183,7 +191,7 @@ GrowingMesh::sweep(const std::vector<std::vector<GrownTriangle>*>& lists)
                               list.end(),
                               [](const GrownTriangle& t) { return t.isTakenOut(); }),
                list.end());
-    reassignEdges(list);
+    reassignSeams(list);
   });
 }
 
@@ -212,7 +220,7 @@ GrowingMesh::addToVertex(std::int32_t corner,
     arrays_.set(corner, VertexFlag::of_wall);
   if (v.triangles == 0) {
     v.component = component;
-    v.normal.setZero();
+    arrays_.normal(corner).setZero();
     arrays_.noteUse(corner, true);
   }
   if (v.triangles < 0xffff)
@@ -220,7 +228,8 @@ GrowingMesh::addToVertex(std::int32_t corner,
   const ParityUnion::Root own = parity_.find(component);
   const ParityUnion::Root root = parity_.find(v.component);
   if (root.component == own.component)
-    v.normal += root.flipped != own.flipped ? Eigen::Vector3f(-area) : area;
+    arrays_.normal(corner) +=
+        root.flipped != own.flipped ? Eigen::Vector3f(-area) : area;
   if (v.open_edges == 0)
     arrays_.noteSaturation(corner, true);
 }
@@ -228,10 +237,9 @@ GrowingMesh::addToVertex(std::int32_t corner,
 void
 GrowingMesh::takeOut(GrownTriangle& triangle)
 {
-  const auto [a, b, c] = triangle.corners;
-  detachEdge(a, b, c);
-  detachEdge(b, c, a);
-  detachEdge(c, a, b);
+  const std::array<Side, 3> sides = sidesOf(triangle);
+  for (std::size_t i = 0; i < 3; ++i)
+    detachEdge(sides[i], triangle.corners[(i + 2) % 3], triangle.component);
   for (const std::int32_t corner : triangle.corners) {
     Vertex& v = vertex(corner);
     arrays_.set(corner, VertexFlag::lost);
@@ -284,9 +292,9 @@ GrowingMesh::openSides(std::int32_t begin, std::int32_t end)
   std::vector<Side> sides;
   for (std::int32_t low = begin; low < end; ++low)
     if (vertex(low).open_edges > 0)
-      arrays_.forEachEdgeAt(low, [&](const Edge& edge) {
+      arrays_.forEachEdgeAt(low, [&](const Edge& edge, std::int32_t high) {
         if (edge.isOpen())
-          sides.push_back(edge.ascending ? Side{low, edge.high} : Side{edge.high, low});
+          sides.push_back(edge.ascending ? Side{low, high} : Side{high, low});
       });
   return sides;
 }

@@ -83,7 +83,7 @@ public:
   : arrays_(arrays)
   , tree_(arrays.tree)
   , facing_(arrays.facing)
-  , new_edges_(arrays.edges)
+  , memory_of_edges_(arrays.edges)
   , parity_(std::move(parity))
   {}
 
@@ -142,7 +142,7 @@ public:
   takeOut(GrownTriangle& triangle);
 
   /** \brief Erases the removed triangles from their lists, and assigns the open edges
-   * at them to the remaining triangles. */
+   * between components to the remaining triangles. */
   void
   sweep(const std::vector<std::vector<GrownTriangle>*>& lists);
 
@@ -150,6 +150,14 @@ public:
   hasEdge(std::int32_t a, std::int32_t b)
   {
     return arrays_.find(a, b) != nullptr;
+  }
+
+  /** \brief Begins to load the vertices of an edge that will be processed soon. */
+  void
+  prefetch(const Side& side) const
+  {
+    __builtin_prefetch(&arrays_.vertex(side.a));
+    __builtin_prefetch(&arrays_.vertex(side.b));
   }
 
   /** \brief Returns an edge if it is open, otherwise nullptr. */
@@ -285,16 +293,18 @@ private:
   void
   addToVertex(std::int32_t corner, std::int32_t component, const Eigen::Vector3f& area);
 
+  /** \brief Takes a triangle from an edge. Which triangle remains there follows from
+   * the removed one, except on a seam. */
   void
-  reassignEdges(const std::vector<GrownTriangle>& triangles);
+  detachEdge(const Side& side, std::int32_t opposite, std::int32_t component);
 
   void
-  detachEdge(std::int32_t from, std::int32_t to, std::int32_t opposite);
+  reassignSeams(const std::vector<GrownTriangle>& triangles);
 
   MeshArrays& arrays_;
   const PointTree& tree_;
   const Facing& facing_;
-  EdgePool::Cursor new_edges_;
+  EdgePool::Cursor memory_of_edges_;
   std::vector<GrownTriangle> triangles_;
   ParityUnion parity_;
   std::vector<Joint> joints_;

@@ -49,7 +49,7 @@ renumberArrays(MeshArrays& arrays,
     Vertex& v = arrays.vertex(i);
     if (v.component >= 0)
       v.component = numbering.inWhole(index, v.component);
-    arrays.forEachEdgeAt(i, [&](Edge& edge) {
+    arrays.forEachEdgeAt(i, [&](Edge& edge, std::int32_t) {
       edge.setComponent(numbering.inWhole(index, edge.componentNumber()));
     });
   }

@@ -151,7 +151,8 @@ literalMesh(const PointTree& tree,
             StepTimer& timer,
             DeWallReport& report)
 {
-  const auto clusters = membersOf(tree, findClusters(tree, size, {}));
+  const auto clusters =
+      membersOf(tree, findClusters(tree, size, DisjointSets(tree.size())));
   report.clusters = clusters.size();
   timer.finish("clusters");
   std::vector<LiteralMesh> meshes(clusters.size());

@@ -4,6 +4,7 @@
 #include "facing.h"
 #include "point_tree.h"
 
+#include <algorithm>
 #include <atomic>
 #include <vector>
 
@@ -11,15 +12,20 @@ namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief A vertex of the mesh. The number of its open edges is 0 if it is unused or
  * *saturated* (its fan is closed), 2 for one open fan, and more for a *pinch*, which
- * later triangles may resolve. */
-struct Vertex {
-  Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< sum over its triangles, ...
-  std::int32_t component = -1;  ///< ... in this component's orientation
-  std::int32_t first_edge = -1; ///< head of the list of edges with it as lower end
+ * later triangles may resolve.
+ *
+ * What the guard asks for most often, the edges with it as lower end, is in the same
+ * line of the cache. */
+struct alignas(64) Vertex {
+  EdgeBlock first_edges;
+  std::int32_t more_edges = -1; ///< in the pool, -1: there are no others
+  std::int32_t component = -1;  ///< of its first triangle
   std::int32_t open_ends = 0;   ///< XOR of the other ends of its open edges
   std::uint16_t triangles = 0;
   std::uint16_t open_edges = 0;
 };
+
+static_assert(sizeof(Vertex) == 64);
 
 /** \brief Properties of vertices that passes over all triangles ask for. */
 struct VertexFlag {
@@ -35,6 +41,9 @@ struct MeshArrays {
   const PointTree& tree;
   const Facing& facing;
   std::vector<Vertex> vertices;
+  /** Sums of the normals of the triangles at each vertex, in the orientation of its
+   * component. */
+  std::vector<Eigen::Vector3f> normals;
   std::vector<std::uint8_t> flags; ///< VertexFlag of each vertex
   EdgePool edges;
   std::vector<std::uint16_t> saturated, unused; ///< bits for the points of each leaf
@@ -46,6 +55,7 @@ struct MeshArrays {
   : tree(t)
   , facing(f)
   , vertices(static_cast<std::size_t>(t.size()))
+  , normals(static_cast<std::size_t>(t.size()), Eigen::Vector3f::Zero())
   , flags(static_cast<std::size_t>(t.size()))
   , edges(t.size())
   , saturated(static_cast<std::size_t>(t.leafCount()))
@@ -65,16 +75,31 @@ struct MeshArrays {
   MeshArrays&
   operator=(const MeshArrays&) = delete;
 
+  /** \brief Frees the memory of vertices and edges. */
+  void
+  releaseVertices()
+  {
+    std::vector<Vertex>().swap(vertices);
+    std::vector<Eigen::Vector3f>().swap(normals);
+    edges.clear();
+  }
+
   Vertex&
   vertex(std::int32_t i)
   {
     return vertices[static_cast<std::size_t>(i)];
   }
 
+  std::uint8_t
+  flagsOf(std::int32_t i) const
+  {
+    return flags[static_cast<std::size_t>(i)];
+  }
+
   bool
   is(std::int32_t i, std::uint8_t flag) const
   {
-    return (flags[static_cast<std::size_t>(i)] & flag) != 0;
+    return (flagsOf(i) & flag) != 0;
   }
 
   void
@@ -106,44 +131,44 @@ struct MeshArrays {
     return vertices[static_cast<std::size_t>(i)].triangles > 0;
   }
 
+  Eigen::Vector3f&
+  normal(std::int32_t i)
+  {
+    return normals[static_cast<std::size_t>(i)];
+  }
+
   /** \brief Returns the edge between two points, nullptr if there is none. */
   Edge*
   find(std::int32_t a, std::int32_t b)
   {
     const std::int32_t high = std::max(a, b);
-    for (std::int32_t e = vertex(std::min(a, b)).first_edge; e >= 0;) {
-      Edge& edge = edges[e];
-      if (edge.high == high)
-        return &edge;
-      e = edge.next;
+    Vertex& low = vertex(std::min(a, b));
+    Edge* edge = low.first_edges.find(high);
+    for (std::int32_t more = low.more_edges; !edge && more >= 0;) {
+      MoreEdges& entry = edges[more];
+      edge = entry.block.find(high);
+      more = entry.next;
     }
-    return nullptr;
+    return edge;
   }
 
-  /** \brief Removes the edge between two points from its list.
-   * \return its index in the pool */
-  std::int32_t
-  unlink(std::int32_t a, std::int32_t b)
-  {
-    const std::int32_t high = std::max(a, b);
-    std::int32_t* link = &vertex(std::min(a, b)).first_edge;
-    while (edges[*link].high != high)
-      link = &edges[*link].next;
-    const std::int32_t place = *link;
-    *link = edges[place].next;
-    return place;
-  }
+  /** \brief Adds an edge between two points that have none. */
+  Edge&
+  addEdge(std::int32_t a, std::int32_t b, EdgePool::Cursor& memory);
 
-  /** \brief Calls function (edge) for the edges whose lower end is \a low. */
+  /** \brief Removes the edge between two points; the order of the others does not
+   * change. */
+  void
+  removeEdge(std::int32_t a, std::int32_t b, EdgePool::Cursor& memory);
+
+  /** \brief Calls function (edge, its higher end) for the edges whose lower end is \a
+   * low, the last one first. */
   template <typename Function>
   void
   forEachEdgeAt(std::int32_t low, const Function& function)
   {
-    for (std::int32_t e = vertex(low).first_edge; e >= 0;) {
-      Edge& edge = edges[e];
-      e = edge.next;
-      function(edge);
-    }
+    Vertex& v = vertex(low);
+    forEachEdgeIn(v.first_edges, v.more_edges, function);
   }
 
   void
@@ -162,6 +187,17 @@ struct MeshArrays {
   }
 
 private:
+  template <typename Function>
+  void
+  forEachEdgeIn(EdgeBlock& block, std::int32_t more, const Function& function)
+  {
+    if (more >= 0)
+      forEachEdgeIn(edges[more].block, edges[more].next, function);
+    for (int place = EdgeBlock::capacity; place-- > 0;)
+      if (block.high[place] != EdgeBlock::empty)
+        function(block.edges[place], block.high[place]);
+  }
+
   void
   setBit(std::vector<std::uint16_t>& masks, std::int32_t i, bool value) const
   {

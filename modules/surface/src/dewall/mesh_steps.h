@@ -69,11 +69,9 @@ finishMesh(GrowingMesh& mesh,
 /** \brief Returns the connected clusters ([P] II-C.1): two points are connected if there
  * is a chain of edges between them that satisfies the size constraint. No triangle
  * connects two clusters.
- * \param[in] lists triangles of which the points are known to be connected; may be empty */
+ * \param[in] connected points that are known to be connected */
 DisjointSets
-findClusters(const PointTree& tree,
-             const SizeConstraint& size,
-             const std::vector<TriangleList>& lists);
+findClusters(const PointTree& tree, const SizeConstraint& size, DisjointSets connected);
 
 /** \brief Points of the smallest cluster that may have a triangle. */
 constexpr std::int32_t min_cluster = 3;
@@ -88,14 +86,26 @@ clusterSizes(DisjointSets& clusters, std::int32_t points);
 std::size_t
 countClusters(const PointTree& tree,
               const SizeConstraint& size,
-              const std::vector<TriangleList>& lists);
+              DisjointSets connected);
+
+/** \brief Components of the mesh by vertices: as each vertex has only one fan,
+ * triangles that share a vertex are also connected by edges. An unused point is a set of
+ * its own. */
+DisjointSets
+findComponents(const PointTree& tree, const std::vector<TriangleList>& lists);
+
+/** \brief Sets the report's counts of used points and boundary edges. */
+void
+countVertices(const MeshArrays& arrays, DeWallReport& report);
 
 /** \brief Converts the grown triangles to a mesh of source indices. Each component is
  * oriented as a whole, by the facing directions if known, otherwise towards the sensor
- * (by projected area). The report's counts of the mesh are set. */
+ * (by projected area). The report's other counts of the mesh are set.
+ * \param[in] grown its vertices are not needed any more */
 TriangleMesh
 orientedMesh(GrowingMesh& grown,
              const std::vector<TriangleList>& lists,
+             DisjointSets components,
              const Eigen::Vector3d& sensor_origin,
              bool compute_wall_depth,
              DeWallReport& report);

@@ -6,29 +6,16 @@ namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
-/** \brief Components of the mesh by vertices: as each vertex has only one fan,
- * triangles that share a vertex are also connected by edges. */
-DisjointSets
-findComponents(const PointTree& tree, const std::vector<TriangleList>& lists)
-{
-  DisjointSets components(tree.size());
-  for (const TriangleList& list : lists)
-    for (const GrownTriangle& triangle : *list.triangles) {
-      components.unite(triangle.corners[0], triangle.corners[1]);
-      components.unite(triangle.corners[0], triangle.corners[2]);
-    }
-  return components;
-}
-
 /** \brief Orients each component so that the larger area faces the sensor. */
 class Turning {
 public:
   Turning(GrowingMesh& grown,
           const std::vector<TriangleList>& lists,
+          DisjointSets components,
           const Eigen::Vector3d& sensor)
   : grown_(grown)
   , tree_(grown.arrays().tree)
-  , components_(findComponents(tree_, lists))
+  , components_(std::move(components))
   , shown_(static_cast<std::size_t>(tree_.size()))
   {
     const Facing& facing = grown.arrays().facing;
@@ -45,15 +32,6 @@ public:
   turns(const GrownTriangle& triangle)
   {
     return isFlipped(triangle) != (shownOf(triangle) < 0);
-  }
-
-  std::size_t
-  count()
-  {
-    std::size_t count = 0;
-    for (std::int32_t v = 0; v < tree_.size(); ++v)
-      count += grown_.isUsed(v) && components_.find(v) == v;
-    return count;
   }
 
 private:
@@ -75,34 +53,46 @@ private:
   std::vector<double> shown_;
 };
 
+} // namespace
+
 void
-count(GrowingMesh& grown, DeWallReport& report)
+countVertices(const MeshArrays& arrays, DeWallReport& report)
 {
-  const std::vector<Vertex>& vertices = grown.arrays().vertices;
   std::size_t open_ends = 0;
-  for (const Vertex& v : vertices) {
+  for (const Vertex& v : arrays.vertices) {
     report.used_points += v.triangles > 0;
     open_ends += v.open_edges;
   }
   report.boundary_edges = open_ends / 2;
-  report.edges = (3 * report.triangles + report.boundary_edges) / 2;
 }
 
-} // namespace
+DisjointSets
+findComponents(const PointTree& tree, const std::vector<TriangleList>& lists)
+{
+  DisjointSets components(tree.size());
+  for (const TriangleList& list : lists)
+    for (const GrownTriangle& triangle : *list.triangles) {
+      components.unite(triangle.corners[0], triangle.corners[1]);
+      components.unite(triangle.corners[0], triangle.corners[2]);
+    }
+  return components;
+}
 
 TriangleMesh
 orientedMesh(GrowingMesh& grown,
              const std::vector<TriangleList>& lists,
+             DisjointSets components,
              const Eigen::Vector3d& sensor_origin,
              bool compute_wall_depth,
              DeWallReport& report)
 {
   const PointTree& tree = grown.arrays().tree;
-  Turning turning(grown, lists, sensor_origin);
+  const std::size_t unused = static_cast<std::size_t>(tree.size()) - report.used_points;
+  report.components = components.count() - unused; // each of which is a set
+  Turning turning(grown, lists, std::move(components), sensor_origin);
   for (const TriangleList& list : lists)
     report.triangles += list.triangles->size();
-  report.components = turning.count();
-  count(grown, report);
+  report.edges = (3 * report.triangles + report.boundary_edges) / 2;
   TriangleMesh mesh;
   mesh.triangles.reserve(report.triangles);
   for (const TriangleList& list : lists) {

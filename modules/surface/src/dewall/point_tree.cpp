@@ -4,6 +4,8 @@
 
 #include <oneapi/tbb/parallel_invoke.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 namespace pcl::acmap::ACMAP_DEWALL {
@@ -29,6 +31,66 @@ widestAxis(const SourcePoint* begin, const SourcePoint* end)
     if (high[axis] - low[axis] > high[widest] - low[widest])
       widest = axis;
   return widest;
+}
+
+/** \brief A total order along an axis, so that the points of a node do not depend on the
+ * standard library. */
+struct OrderAlong {
+  std::size_t axis;
+
+  bool
+  operator()(const SourcePoint& a, const SourcePoint& b) const
+  {
+    const float p = a.position[axis], q = b.position[axis];
+    return static_cast<bool>(
+        static_cast<int>(p < q) |
+        (static_cast<int>(p == q) & static_cast<int>(a.source < b.source)));
+  }
+};
+
+/** \brief Returns an element whose rank is close to that of \a middle, by a sample. */
+SourcePoint
+pivotNear(const SourcePoint* begin,
+          const SourcePoint* middle,
+          const SourcePoint* end,
+          const OrderAlong& isBefore)
+{
+  constexpr std::ptrdiff_t size = 32;
+  std::array<SourcePoint, size> sample;
+  for (std::ptrdiff_t i = 0; i < size; ++i)
+    sample[static_cast<std::size_t>(i)] = begin[(end - begin) * i / size];
+  // Slightly towards the longer side, so that the shorter one contains the rank.
+  const std::ptrdiff_t rank = (middle - begin) * size / (end - begin);
+  const std::ptrdiff_t chosen =
+      std::clamp<std::ptrdiff_t>(rank < size / 2 ? rank + 2 : rank - 2, 0, size - 1);
+  std::nth_element(sample.begin(), sample.begin() + chosen, sample.end(), isBefore);
+  return sample[static_cast<std::size_t>(chosen)];
+}
+
+/** \brief As std::nth_element, but the loops over many points have no branches, which
+ * would be mispredicted for every second point. */
+void
+selectMiddle(SourcePoint* begin,
+             SourcePoint* middle,
+             SourcePoint* end,
+             const OrderAlong& isBefore)
+{
+  constexpr std::ptrdiff_t few = 64;
+  for (int round = 0; round < 32 && end - begin > few; ++round) {
+    const SourcePoint pivot = pivotNear(begin, middle, end, isBefore);
+    SourcePoint* store = begin;
+    for (SourcePoint* p = begin; p < end; ++p) {
+      const SourcePoint moved = *p;
+      *p = *store;
+      *store = moved;
+      store += isBefore(moved, pivot);
+    }
+    if (middle < store)
+      end = store;
+    else
+      begin = store;
+  }
+  std::nth_element(begin, middle, end, isBefore);
 }
 
 int
@@ -61,8 +123,7 @@ noBoxes()
 
 } // namespace
 
-/** \brief Divides the points. Their order is total, so that the points of a node do not
- * depend on the standard library. */
+/** \brief Divides the points. */
 struct PointTree::Builder {
   PointTree& tree;
   std::vector<SourcePoint>& points;
@@ -80,12 +141,7 @@ struct PointTree::Builder {
     }
     const std::size_t axis = widestAxis(begin, end);
     SourcePoint* middle = points.data() + tree.firstOf(node.right());
-    std::nth_element(
-        begin, middle, end, [axis](const SourcePoint& a, const SourcePoint& b) {
-          return a.position[axis] != b.position[axis]
-                     ? a.position[axis] < b.position[axis]
-                     : a.source < b.source;
-        });
+    selectMiddle(begin, middle, end, {axis});
     tree.planes_[(std::size_t{1} << node.depth) +
                  static_cast<std::size_t>(node.index)] = {
         middle->position[axis], static_cast<std::uint8_t>(axis)};
@@ -140,6 +196,7 @@ PointTree::makeGroups()
     auto& groups = boxes_[static_cast<std::size_t>(level)];
     groups.assign(static_cast<std::size_t>((members + 7) / 8), noBoxes());
     cells_.boxes[level] = groups.data();
+    cells_.members[level] = members < 8 ? (1u << members) - 1 : 0xff;
     for (std::int32_t m = 0; m < members; ++m) {
       SiblingBoxes& boxes = groups[static_cast<std::size_t>(m / 8)];
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -173,8 +230,8 @@ PointTree::makeCells(int level)
   cells_.cells[level] = cells.data();
   for (std::size_t g = 0; g < cells.size(); ++g) {
     CellBox& cell = cells[g];
-    std::fill_n(cell.low, 3, -infinity);
-    std::fill_n(cell.high, 3, infinity);
+    std::fill_n(cell.low, 4, -infinity);
+    std::fill_n(cell.high, 4, infinity);
     for (int d = depth; d > 0; --d) {
       const std::size_t child = g >> (depth - d);
       const Plane& plane = planeOf({d - 1, static_cast<std::int32_t>(child / 2)});

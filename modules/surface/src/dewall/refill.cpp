@@ -78,7 +78,7 @@ Refill::closeSide(const Side& side)
     const Proposal proposal =
         is_own ? mesh_.propose(side, apex.index, base) : Proposal{};
     if ((is_own && !fits(proposal)) ||
-        !isSphereEmpty(tree_, {side.b, side.a, apex.index}))
+        !isSphereEmpty(tree_, {side.b, side.a, apex.index}, base->opposites))
       continue;
     if (is_own)
       close(proposal);
@@ -153,7 +153,10 @@ Refill::findApexes(const Side& side, const SideFrame& frame)
   }
   apexes_.clear();
   for (const std::int32_t i : found_) {
-    const Apex apex = makeApex(i, frame.u, tree_.position(i) - frame.origin);
+    const Eigen::Vector3d from_a = tree_.position(i) - frame.origin;
+    if (!(from_a.dot(frame.outward) > 0))
+      continue;
+    const Apex apex = makeApex(i, frame.u, from_a);
     if (isApexAllowed(size_, frame, apex))
       apexes_.push_back(apex);
   }

@@ -5,6 +5,7 @@
 #include <pcl/core/impl/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,32 +15,99 @@ namespace {
 
 constexpr std::size_t max_neighbours = 8;
 
+/** \brief The nearest neighbours of a point that were found so far. */
+class NearestNeighbours {
+public:
+  NearestNeighbours(const PointTree& tree, std::int32_t i)
+  : tree_(tree)
+  , i_(i)
+  , centre_(tree.position(i))
+  {
+    for (int axis = 0; axis < 3; ++axis)
+      at_[axis] = tree.coordinates(axis)[i];
+  }
+
+  void
+  lookAt(std::int32_t first, std::int32_t end)
+  {
+    for (; first < end; first += 8) {
+      const unsigned points = (1u << std::min(end - first, 8)) - 1;
+      for (unsigned near = bitsOf(mayBeNear(first)) & points; near; near &= near - 1)
+        consider(first + static_cast<std::int32_t>(lowestBit(near)));
+    }
+  }
+
+  /** \brief Points that are farther away are not needed. */
+  const double&
+  radius() const
+  {
+    return radius_;
+  }
+
+  /** \brief Squared distances, ascending; there are fewer in a small tree. */
+  std::vector<double>
+  squared() const
+  {
+    return {squared_.begin(), squared_.begin() + static_cast<std::ptrdiff_t>(count_)};
+  }
+
+private:
+  /** \brief In floats, with a margin above their rounding errors. */
+  LaneMask
+  mayBeNear(std::int32_t first) const
+  {
+    Lanes squared = allLanes(0);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Lanes v = loadLanes(tree_.coordinates(axis) + first) - allLanes(at_[axis]);
+      squared += v * v;
+    }
+    return squared <= allLanes(limit_);
+  }
+
+  void
+  consider(std::int32_t j)
+  {
+    if (j == i_)
+      return;
+    const double squared = (tree_.position(j) - centre_).squaredNorm();
+    if (count_ == max_neighbours && squared >= squared_[count_ - 1])
+      return;
+    std::size_t place = count_ < max_neighbours ? count_++ : count_ - 1;
+    for (; place > 0 && squared_[place - 1] > squared; --place)
+      squared_[place] = squared_[place - 1];
+    squared_[place] = squared;
+    if (count_ < max_neighbours)
+      return;
+    radius_ = std::sqrt(squared_[count_ - 1]);
+    // Squares below the smallest normal float are not comparable.
+    limit_ = static_cast<float>(squared_[count_ - 1]) * (1 + 1e-5f) +
+             4 * std::numeric_limits<float>::min();
+  }
+
+  const PointTree& tree_;
+  const std::int32_t i_;
+  const Eigen::Vector3d centre_;
+  float at_[3];
+  std::array<double, max_neighbours> squared_;
+  std::size_t count_ = 0;
+  double radius_ = std::numeric_limits<double>::max();
+  float limit_ = std::numeric_limits<float>::infinity();
+};
+
 /** \brief Squared distances to the nearest neighbours, ascending; there are fewer in a
  * small tree. */
 std::vector<double>
 nearestSquared(const PointTree& tree, std::int32_t i)
 {
-  const Eigen::Vector3d centre = tree.position(i);
-  std::vector<double> nearest;
-  nearest.reserve(max_neighbours + 1);
-  double radius = std::numeric_limits<double>::max();
-  const auto visit = [&](std::int32_t, std::int32_t first, std::int32_t end) {
-    for (std::int32_t j = first; j < end; ++j) {
-      if (j == i)
-        continue;
-      const double squared = (tree.position(j) - centre).squaredNorm();
-      if (nearest.size() == max_neighbours && squared >= nearest.back())
-        continue;
-      nearest.insert(std::lower_bound(nearest.begin(), nearest.end(), squared),
-                     squared);
-      if (nearest.size() > max_neighbours)
-        nearest.pop_back();
-      if (nearest.size() == max_neighbours)
-        radius = std::sqrt(nearest.back());
-    }
-  };
-  visitBall(tree, i, centre, radius, visit);
-  return nearest;
+  NearestNeighbours nearest(tree, i);
+  visitBall(tree,
+            i,
+            tree.position(i),
+            nearest.radius(),
+            [&](std::int32_t, std::int32_t first, std::int32_t end) {
+              nearest.lookAt(first, end);
+            });
+  return nearest.squared();
 }
 
 /** \brief Same, from the results of the caller's search. Invalid distances and those of

@@ -11,9 +11,10 @@ struct alignas(32) SiblingBoxes {
   float low[3][8], high[3][8];
 };
 
-/** \brief The region of space of a group of siblings, between the splitting planes. */
-struct CellBox {
-  float low[3], high[3];
+/** \brief The region of space of a group of siblings, between the splitting planes. The
+ * fourth numbers are infinite. */
+struct alignas(32) CellBox {
+  float low[4], high[4];
 };
 
 /** \brief A PointTree as plain arrays, for kernels that must not use Eigen.
@@ -31,6 +32,7 @@ struct TreeCells {
   int levels = 0;
   const SiblingBoxes* boxes[max_levels + 1] = {}; ///< of each group, by level
   const CellBox* cells[max_levels + 1] = {};      ///< of each group, by level
+  unsigned members[max_levels + 1] = {}; ///< a bit for each member of a group, by level
 };
 
 static inline std::int32_t

@@ -16,17 +16,6 @@ cotangentOf(float signed_square)
                            : __builtin_sqrtf(signed_square);
 }
 
-/** Returns the lane with the least value among those whose bits are set. */
-ACMAP_INLINE unsigned
-leastOf(const float* values, unsigned lanes)
-{
-  unsigned least = lowestBit(lanes);
-  for (lanes &= lanes - 1; lanes; lanes &= lanes - 1)
-    if (values[lowestBit(lanes)] < values[least])
-      least = lowestBit(lanes);
-  return least;
-}
-
 /** Tests points as apexes, in units of the edge length: the angle apb is largest where
  * the signed square of its cotangent, (a - p) . (b - p) |(a - p) . (b - p)| / |u x (p -
  * a)|^2, is minimal; the circle abp is smallest where the square without its sign is. A
@@ -128,7 +117,9 @@ struct ApexVisitor {
     alignas(32) float values[8];
     __builtin_memcpy(values, &square, sizeof values);
     while (candidates) { // the least one first: it excludes most of the others
-      const unsigned lane = leastOf(values, candidates);
+      const unsigned lane = candidates & (candidates - 1)
+                                ? smallestLane(square, candidates)
+                                : lowestBit(candidates);
       candidates &= ~(1u << lane);
       const std::int32_t index = first + static_cast<std::int32_t>(lane);
       if (index == query.a || index == query.b || index == query.left_out)

@@ -35,11 +35,12 @@ ACMAP_INLINE bool
 isInside(const Ball& ball, const CellBox& cell)
 {
   const float reach = ball.reach();
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(ball.centre[axis] - reach > cell.low[axis] && // NaN is not inside
-          ball.centre[axis] + reach < cell.high[axis]))
-      return false;
-  return true;
+  const float low[4] = {
+      ball.centre[0] - reach, ball.centre[1] - reach, ball.centre[2] - reach, 0};
+  const float high[4] = {
+      ball.centre[0] + reach, ball.centre[1] + reach, ball.centre[2] + reach, 0};
+  // NaN is not inside.
+  return areAllGreater(low, cell.low) && areAllGreater(cell.high, high);
 }
 
 ACMAP_INLINE Lanes
@@ -73,45 +74,59 @@ membersBeyond(const SiblingBoxes& boxes, const float* origin, const float* inwar
   return bitsOf(maximum >= allLanes(-1e-6f) * size);
 }
 
-/** Returns a bit for each member of a group of a level; only the highest level may have
- * fewer than eight. The masked lanes would be reached by an infinite ball. */
-ACMAP_INLINE unsigned
-membersOf(const TreeCells& tree, int level)
+/** Calls visit (member) for the members of a group that the ball of the visitor reaches,
+ * near ones first, until the ball is closed.
+ * \param[in] wanted a bit for each member */
+template <typename Visitor, typename Visit>
+ACMAP_INLINE void
+walkMembers(const TreeCells& tree,
+            Visitor& visitor,
+            int level,
+            std::int32_t group,
+            unsigned wanted,
+            const Visit& visit)
 {
-  const int depth = tree.depth - 3 * (level - 1);
-  return depth < 3 ? (1u << (1u << depth)) - 1 : 0xffu;
-}
-
-/** Visits the members of a group and their descendants, except member \a without (-1:
- * none is excluded). The visitor has a ball; keep (level, group) returns a bit per
- * member; visit (leaf) may shrink the ball. */
-template <typename Visitor>
-void
-walkGroup(
-    const TreeCells& tree, Visitor& visitor, int level, std::int32_t group, int without)
-{
-  const SiblingBoxes& boxes = tree.boxes[level][group];
-  const Lanes squared = squaredDistances(boxes, visitor.ball);
+  const Lanes squared = squaredDistances(tree.boxes[level][group], visitor.ball);
   const float reach = visitor.ball.reach();
-  unsigned left = bitsOf(squared <= allLanes(reach * reach)) & membersOf(tree, level) &
-                  visitor.keep(level, group);
-  if (without >= 0)
-    left &= ~(1u << without);
+  // An infinite ball would reach members that the highest group does not have.
+  unsigned left = bitsOf(squared <= allLanes(reach * reach)) & tree.members[level] &
+                  visitor.keep(level, group) & wanted;
   while (left) {
-    unsigned nearest = lowestBit(left);
-    for (unsigned rest = left & (left - 1); rest; rest &= rest - 1)
-      if (squared[lowestBit(rest)] < squared[nearest])
-        nearest = lowestBit(rest);
+    const unsigned nearest =
+        left & (left - 1) ? smallestLane(squared, left) : lowestBit(left);
     left &= ~(1u << nearest);
     const float now = visitor.ball.reach();
     if (visitor.ball.radius < 0 || squared[nearest] > now * now)
       return;
-    const std::int32_t member = 8 * group + static_cast<std::int32_t>(nearest);
-    if (level == 1)
-      visitor.visit(member);
-    else
-      walkGroup(tree, visitor, level - 1, member, -1);
+    visit(8 * group + static_cast<std::int32_t>(nearest));
   }
+}
+
+/** Visits the leaves of a group. The visitor has a ball; keep (level, group) returns a
+ * bit per member; visit (leaf) may shrink the ball. */
+template <typename Visitor>
+__attribute__((noinline)) void
+walkLeaves(const TreeCells& tree, Visitor& visitor, std::int32_t group)
+{
+  walkMembers(
+      tree, visitor, 1, group, 0xff, [&](std::int32_t leaf) { visitor.visit(leaf); });
+}
+
+/** Visits the wanted members of a group of level 2 or higher, and their descendants. */
+template <typename Visitor>
+void
+walkGroup(const TreeCells& tree,
+          Visitor& visitor,
+          int level,
+          std::int32_t group,
+          unsigned wanted)
+{
+  walkMembers(tree, visitor, level, group, wanted, [&](std::int32_t member) {
+    if (level == 2)
+      walkLeaves(tree, visitor, member);
+    else
+      walkGroup(tree, visitor, level - 1, member, 0xff);
+  });
 }
 
 /** Ascends from a leaf until the cell of the group contains the ball. */
@@ -119,13 +134,14 @@ template <typename Visitor>
 void
 walkTree(const TreeCells& tree, Visitor& visitor, std::int32_t leaf)
 {
-  int from = -1;
-  for (int level = 1; level <= tree.levels; ++level) {
-    const std::int32_t group = leaf >> (3 * level);
-    walkGroup(tree, visitor, level, group, from);
+  std::int32_t group = leaf >> 3;
+  walkLeaves(tree, visitor, group);
+  for (int level = 1; level < tree.levels; ++level) {
     if (visitor.ball.radius < 0 || isInside(visitor.ball, tree.cells[level][group]))
       return;
-    from = static_cast<int>(group & 7);
+    const unsigned from = 1u << (group & 7);
+    group >>= 3;
+    walkGroup(tree, visitor, level + 1, group, ~from);
   }
 }
 

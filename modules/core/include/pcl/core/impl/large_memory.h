@@ -98,6 +98,12 @@ template <typename Value>
 struct UnfilledAllocator : SystemAllocator<Value> {
   static_assert(std::is_trivially_destructible_v<Value>);
 
+  UnfilledAllocator() = default;
+
+  template <typename Other>
+  UnfilledAllocator(const UnfilledAllocator<Other>&)
+  {}
+
   template <typename Other>
   struct rebind {
     using other = UnfilledAllocator<Other>;
