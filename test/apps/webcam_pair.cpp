@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <csignal>
+#include <utility>
 
 namespace pcl::acmap::test {
 
@@ -27,22 +27,34 @@ constexpr std::chrono::milliseconds exposure(10);
 WebcamPair::WebcamPair(FilmedByCamera& film)
 : film_(film)
 {
-  std::signal(SIGPIPE, SIG_IGN); // the tool may end before an image is complete
-  for (const char* const name : {"reference", "horizontal"}) {
-    pipes_.push_back({folder_.path(name)});
-    mkfifo(pipes_.back().path.c_str(), 0600);
+  pipes_[0].path = folder_.path("reference");
+  pipes_[1].path = folder_.path("horizontal");
+  for (Pipe& pipe : pipes_) {
+    mkfifo(pipe.path.c_str(), 0600);
+    // GStreamer opens a file several times: there is always a writer and a reader.
+    pipe.file = open(pipe.path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
     devices_.push_back(
-        "filesrc location=" + pipes_.back().path +
+        "filesrc location=" + pipe.path +
         " ! rawvideoparse format=gray8 width=" + std::to_string(film.rig().width) +
         " height=" + std::to_string(film.rig().height) + " framerate=30/1 ! appsink");
+    pipe.thread = std::thread([this, &pipe] { feed(pipe); });
   }
   thread_ = std::thread([this] { this->film(); });
 }
 
 WebcamPair::~WebcamPair()
 {
-  ends_ = true;
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+    changed_.notify_all();
+  }
   thread_.join();
+  for (Pipe& pipe : pipes_) {
+    pipe.thread.join();
+    if (pipe.file >= 0)
+      close(pipe.file);
+  }
 }
 
 std::vector<std::uint8_t>
@@ -58,6 +70,7 @@ WebcamPair::imageOf(std::size_t camera,
   return image;
 }
 
+/** Exposes images; those that no reader has taken yet are replaced. */
 void
 WebcamPair::film()
 {
@@ -69,27 +82,38 @@ WebcamPair::film()
         static_cast<std::size_t>(3 * film_.rig().width * film_.rig().height);
     std::this_thread::sleep_until(seen.end);
     const std::vector<std::uint8_t> bytes = film_.expose(seen);
-    for (std::size_t camera = 0; camera < pipes_.size(); ++camera)
-      if (camera == 0 || number < unplugged_at_)
-        write(pipes_[camera], imageOf(camera, bytes, number));
-      else if (pipes_[camera].file >= 0)
-        close(std::exchange(pipes_[camera].file, -1));
+    {
+      const std::lock_guard lock(mutex_);
+      for (std::size_t camera = 0; camera < pipes_.size(); ++camera)
+        pipes_[camera].next = imageOf(camera, bytes, number);
+      changed_.notify_all();
+    }
     std::this_thread::sleep_until(seen.begin + period);
   }
-  for (const Pipe& pipe : pipes_)
-    if (pipe.file >= 0)
-      close(pipe.file);
 }
 
-/** Waits while the pipe is full, or has no reader yet. */
 void
-WebcamPair::write(Pipe& pipe, const std::vector<std::uint8_t>& image) const
+WebcamPair::feed(Pipe& pipe)
 {
-  while (pipe.file < 0 && !ends_) {
-    pipe.file = open(pipe.path.c_str(), O_WRONLY | O_NONBLOCK);
-    if (pipe.file < 0)
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  for (int written = 0;; ++written) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return ends_ || !pipe.next.empty(); });
+    if (ends_)
+      return;
+    const std::vector<std::uint8_t> image = std::exchange(pipe.next, {});
+    lock.unlock();
+    if (&pipe == &pipes_[1] && written >= unplugged_at_) {
+      close(std::exchange(pipe.file, -1));
+      return;
+    }
+    write(pipe, image);
   }
+}
+
+/** Waits while the pipe is full. */
+void
+WebcamPair::write(const Pipe& pipe, const std::vector<std::uint8_t>& image) const
+{
   std::size_t written = 0;
   while (written < image.size() && !ends_) {
     pollfd ready = {pipe.file, POLLOUT, 0};
@@ -98,10 +122,6 @@ WebcamPair::write(Pipe& pipe, const std::vector<std::uint8_t>& image) const
         ::write(pipe.file, image.data() + written, image.size() - written);
     if (count > 0)
       written += static_cast<std::size_t>(count);
-    else if (count < 0 && errno == EPIPE) { // the tool has closed the camera
-      close(std::exchange(pipe.file, -1));
-      return;
-    }
   }
 }
 

@@ -3,7 +3,10 @@
 #include "filmed_by_camera.h"
 #include "temporary_folder.h"
 
+#include <array>
 #include <atomic>
+#include <condition_variable>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -30,15 +33,16 @@ public:
     return devices_;
   }
 
-  /** \brief From an image on, the neighbour is unplugged.
-   * \param[in] image from 0 */
+  /** \brief The neighbour is unplugged.
+   * \param[in] image the first one that it does not give */
   void
   unplugAt(int image)
   {
     unplugged_at_ = image;
   }
 
-  /** \brief From an image on, the cameras move. */
+  /** \brief The cameras move.
+   * \param[in] image the first exposure at which they do */
   void
   moveFrom(int image)
   {
@@ -46,23 +50,31 @@ public:
   }
 
 private:
+  /** \brief The pipe of a camera, and the newest image that is not yet in it. */
   struct Pipe {
     std::string path;
     int file = -1;
+    std::vector<std::uint8_t> next; // empty if there is none
+    std::thread thread;
   };
 
   void
   film();
 
   void
-  write(Pipe& pipe, const std::vector<std::uint8_t>& image) const;
+  feed(Pipe& pipe);
+
+  void
+  write(const Pipe& pipe, const std::vector<std::uint8_t>& image) const;
 
   std::vector<std::uint8_t>
   imageOf(std::size_t camera, const std::vector<std::uint8_t>& bytes, int number) const;
 
   FilmedByCamera& film_;
   TemporaryFolder folder_;
-  std::vector<Pipe> pipes_;
+  std::array<Pipe, 2> pipes_;
+  std::mutex mutex_; // protects the images of the pipes
+  std::condition_variable changed_;
   std::vector<std::string> devices_;
   std::atomic<int> unplugged_at_{1000000000};
   std::atomic<int> moves_from_{1000000000};
