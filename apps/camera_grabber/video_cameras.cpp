@@ -30,6 +30,7 @@ texts()
       "CAMERA..|SESSION",
       3,
       "Frames a second of a stream [default: the rate of the cameras]",
+      "",
       "Gain, in units of the driver [default: as the camera is set]",
       "G",
       1e6,

@@ -152,7 +152,7 @@ addCamera(CLI::App& app, GrabberOptions& options, const CameraTexts& texts)
 {
   app.add_option("--rate", options.rate, texts.rate)
       ->type_name("HZ")
-      ->default_str("")
+      ->default_str(texts.default_rate)
       ->check(positiveNumber().description(""))
       ->check(CLI::Range(0.0, 1000.0).description(""));
   addNumberOrAuto(app,

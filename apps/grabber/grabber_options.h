@@ -87,6 +87,7 @@ struct CameraTexts {
   std::string device_type;
   int max_devices = 1;
   std::string rate;
+  std::string default_rate; ///< Hz; empty: told by the description
   std::string gain;
   std::string gain_type; ///< without `|auto`
   double max_gain = 0;

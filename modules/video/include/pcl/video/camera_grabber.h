@@ -66,7 +66,7 @@ struct CameraGrabberReport : Report {
  * Each frame is an observation of its own without a pattern. The time stamp is that of
  * the reference camera, the time of the host or the position in a recording.
  *
- * A fault ends the stream, and \ref getError returns a \ref CameraException:
+ * A fault ends the stream, and \ref getError returns a CameraException:
  * Unplugged if a camera gives no more images, Silent if there is none in time. With the
  * next \ref start or \ref trigger the cameras are opened again, recordings at their
  * begin. Time O(pixels) per image, memory
