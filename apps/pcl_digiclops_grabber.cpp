@@ -1,4 +1,4 @@
-#include "digiclops_grabber/grabber_options.h"
+#include "digiclops_grabber/digiclops_camera.h"
 
 int
 main(int argc, char** argv)
@@ -8,13 +8,19 @@ main(int argc, char** argv)
       "pcl_digiclops_grabber",
       "Takes observations with a trinocular camera and a projector: point clouds, "
       "a raw session, or both.");
-  GrabberOptions options;
+  DigiclopsOptions options;
   addOptions(tool, options);
   return tool.run(argc, argv, [&] {
     requireSense(tool, options);
     if (options.list)
-      listCameras(tool.log());
+      listDigiclopsCameras(tool.log());
     else
-      grab(options, tool.controls(), tool.log());
+      grab(
+          options,
+          [&](const pcl::TrinocularRig& rig) {
+            return openDigiclopsCamera(options, rig);
+          },
+          tool.controls(),
+          tool.log());
   });
 }

@@ -1,7 +1,7 @@
 # Sets acmap_chosen_modules: those of ACMAP_MODULES and what they depend on, each after its
 # dependencies; all if ACMAP_MODULES is empty.
 set(acmap_all_modules core egomotion mapping acquisition simulation stereo filters surface
-                      features segmentation texture visualization pipeline)
+                      features segmentation texture video visualization pipeline)
 foreach(module IN LISTS ACMAP_MODULES)
   if(NOT module IN_LIST acmap_all_modules)
     message(FATAL_ERROR "ACMAP_MODULES: there is no module \"${module}\"; there are "

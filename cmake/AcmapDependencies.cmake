@@ -57,12 +57,12 @@ endif()
 find_library(LZ4_LIBRARY lz4 REQUIRED)
 mark_as_advanced(LZ4_LIBRARY)
 
-# OpenCV's package file comes with all of OpenCV only; five parts of it are enough.
-acmap_if_chosen(needs_opencv acquisition egomotion stereo)
+# OpenCV's package file comes with all of OpenCV only; six parts of it are enough.
+acmap_if_chosen(needs_opencv acquisition egomotion stereo video)
 if(needs_opencv)
   find_path(OPENCV_INCLUDE_DIR opencv2/calib3d.hpp PATH_SUFFIXES opencv4 REQUIRED)
   mark_as_advanced(OPENCV_INCLUDE_DIR)
-  foreach(part IN ITEMS core flann imgproc features2d calib3d)
+  foreach(part IN ITEMS core flann imgproc features2d calib3d videoio)
     find_library(OPENCV_${part}_LIBRARY opencv_${part} REQUIRED)
     mark_as_advanced(OPENCV_${part}_LIBRARY)
     add_library(opencv_${part} UNKNOWN IMPORTED)

@@ -1,6 +1,6 @@
-#include "digiclops_grabber/frame_queue.h"
-#include "digiclops_grabber/grabber_options.h"
-#include "digiclops_grabber/terminal.h"
+#include "digiclops_grabber/digiclops_camera.h"
+#include "grabber/frame_queue.h"
+#include "grabber/terminal.h"
 
 #include <pcl/core/exceptions.h>
 

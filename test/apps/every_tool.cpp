@@ -108,6 +108,22 @@ rowOfChain(const std::string& input)
           "stages"};
 }
 
+/** \brief Arguments of a tool that opens a recording like a camera. */
+ToolRow
+rowOfGrabber(const std::string& tool)
+{
+  return {tool,
+          {"--device",
+           "<session",
+           "--pcd",
+           ">clouds",
+           "-o",
+           ">recorded",
+           "--min-depth",
+           "1"},
+          "clouds and session"};
+}
+
 std::vector<ToolRow>
 rows()
 {
@@ -124,20 +140,12 @@ rows()
       {"pcl_active_stereo",
        {"<session", "-o", ">observations", "--min-depth", "1", "--disparity"},
        "observations"},
+      rowOfGrabber("pcl_camera_grabber"),
       rowOfChain("session"),
       {"pcl_compact_viewer", {"<map", "--screenshot", ">picture.png"}, "", true},
       {"pcl_dewall_surface", {"<cloud.pcd", ">mesh.ply", "--consolidate"}},
       {"pcl_dewall_surface", {"<cloud.pcd", ">mesh.vtk", "--consolidate"}},
-      {"pcl_digiclops_grabber",
-       {"--device",
-        "<session",
-        "--pcd",
-        ">clouds",
-        "-o",
-        ">recorded",
-        "--min-depth",
-        "1"},
-       "clouds and session"},
+      rowOfGrabber("pcl_digiclops_grabber"),
       {"pcl_entropy_rectification", {"<posed", "-o", ">rectified"}},
       {"pcl_line_pattern", {">patterns", "--patterns", "4"}},
       {"pcl_line_pattern", {">pattern.png"}},

@@ -96,6 +96,7 @@ TEST_F(MemoryLimit, EndsEachToolWithNothingLeftBehind)
       {ACMAP_SIMULATED_RIG, {"-o", out, "--scene", "corridor_drive"}},
       {ACMAP_SIMULATED_RIG, {"-o", out, "--scene", "corridor_drive", "--clouds"}},
       {ACMAP_ACTIVE_STEREO, {path("session"), "-o", out}},
+      {ACMAP_CAMERA_GRABBER, {"--device", path("session"), "-o", out}},
       {ACMAP_DIGICLOPS_GRABBER, {"--device", path("session"), "-o", out}},
       {ACMAP_DIGICLOPS_GRABBER, {"--device", path("session"), "--pcd", out}},
       {ACMAP_VISUAL_EGOMOTION, {path("clouds"), "-o", out}},

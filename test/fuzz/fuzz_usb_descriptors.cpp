@@ -1,7 +1,7 @@
 #include "checks.h"
 #include "usb/usb_stream_endpoint.h"
 
-#include <pcl/acquisition/camera_exception.h>
+#include <pcl/core/camera_exception.h>
 
 #include <libusb.h>
 

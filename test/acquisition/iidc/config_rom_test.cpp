@@ -1,6 +1,6 @@
 #include "iidc/config_rom.h"
 
-#include <pcl/acquisition/camera_exception.h>
+#include <pcl/core/camera_exception.h>
 #include <pcl/core/random.h>
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #include "sequence_rig.h"
 
-#include <pcl/acquisition/camera_exception.h>
 #include <pcl/acquisition/projector_latency.h>
+#include <pcl/core/camera_exception.h>
 
 namespace pcl::acmap::test {
 namespace {

@@ -1,6 +1,6 @@
 #include "sequence_rig.h"
 
-#include <pcl/acquisition/camera_exception.h>
+#include <pcl/core/camera_exception.h>
 
 #include <gmock/gmock.h>
 

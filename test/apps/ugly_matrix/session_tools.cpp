@@ -16,8 +16,11 @@ uglyActiveStereo()
           sessionCases(command, sessionOutcomes())};
 }
 
+namespace {
+
+/** \brief A tool that opens a recording like a camera. */
 UglyTool
-uglyDigiclopsGrabber()
+uglyGrabber(const std::string& tool)
 {
   const auto command = [](const std::string& input) {
     return std::vector<std::string>{"--device", input, "--pcd", "clouds"};
@@ -27,8 +30,21 @@ uglyDigiclopsGrabber()
   outcomes["a file for the session"] = outcomes["no such session"];
   outcomes["`/dev/zero`"] = {2, "/dev/zero is no folder with a recording"};
   outcomes[one_frame] = {4, "no pixel has a place"};
-  return {
-      "pcl_digiclops_grabber", "clouds", true, false, sessionCases(command, outcomes)};
+  return {tool, "clouds", true, false, sessionCases(command, outcomes)};
+}
+
+} // namespace
+
+UglyTool
+uglyCameraGrabber()
+{
+  return uglyGrabber("pcl_camera_grabber");
+}
+
+UglyTool
+uglyDigiclopsGrabber()
+{
+  return uglyGrabber("pcl_digiclops_grabber");
 }
 
 } // namespace pcl::acmap::test

@@ -8,6 +8,7 @@ std::vector<UglyTool>
 uglyTools()
 {
   std::vector<UglyTool> tools = {uglyActiveStereo(),
+                                 uglyCameraGrabber(),
                                  uglyCompactMapping(),
                                  uglyCompactViewer(),
                                  uglyDewallSurface(),

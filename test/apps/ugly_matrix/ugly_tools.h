@@ -22,6 +22,9 @@ UglyTool
 uglyVisualEgomotion();
 
 UglyTool
+uglyCameraGrabber();
+
+UglyTool
 uglyCompactMapping();
 
 UglyTool

@@ -1,6 +1,6 @@
 #include "sequence/shot_taker.h"
 
-#include <pcl/acquisition/camera_exception.h>
+#include <pcl/core/camera_exception.h>
 
 #include <algorithm>
 #include <sstream>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pcl/acquisition/camera_exception.h>
 #include <pcl/acquisition/usb_camera.h>
+#include <pcl/core/camera_exception.h>
 
 #include <libusb.h>
 

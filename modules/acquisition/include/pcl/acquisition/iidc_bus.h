@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/acquisition/camera_exception.h>
+#include <pcl/core/camera_exception.h>
 #include <pcl/core/export.h>
 
 #include <chrono>

@@ -1,4 +1,4 @@
-#include <pcl/acquisition/camera_exception.h>
+#include <pcl/core/camera_exception.h>
 
 #include <array>
 
@@ -7,7 +7,7 @@ namespace pcl {
 const char*
 nameOf(CameraFault fault)
 {
-  constexpr std::array<const char*, 10> names = {"none",
+  constexpr std::array<const char*, 11> names = {"none",
                                                  "not found",
                                                  "permission denied",
                                                  "busy",
@@ -16,7 +16,8 @@ nameOf(CameraFault fault)
                                                  "corrupt",
                                                  "malformed",
                                                  "unsupported",
-                                                 "failed"};
+                                                 "failed",
+                                                 "moving"};
   return names.at(static_cast<std::size_t>(fault));
 }
 

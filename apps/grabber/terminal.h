@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace pcl::acmap {
 
@@ -57,9 +58,11 @@ statusText(const GrabStatus& status)
  * terminal. */
 class StatusLine {
 public:
-  /** \param[in] wanted false for a line that prints nothing */
-  explicit StatusLine(bool wanted)
-  : is_wanted_(wanted)
+  /** \param[in] tool its name
+   * \param[in] wanted false for a line that prints nothing */
+  StatusLine(std::string tool, bool wanted)
+  : tool_(std::move(tool))
+  , is_wanted_(wanted)
   {}
 
   /** \brief Clears the line. */
@@ -101,7 +104,7 @@ public:
     if (!is_wanted_)
       return;
     wipe();
-    std::fprintf(stderr, "pcl_digiclops_grabber: %s\n", text.c_str());
+    std::fprintf(stderr, "%s: %s\n", tool_.c_str(), text.c_str());
   }
 
 private:
@@ -115,6 +118,7 @@ private:
     is_shown_ = false;
   }
 
+  std::string tool_;
   bool is_wanted_;
   bool is_shown_ = false;
   Clock::time_point last_;

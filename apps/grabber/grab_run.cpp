@@ -7,13 +7,11 @@
 #include "output_target.h"
 #include "terminal.h"
 
-#include <pcl/acquisition/digiclops_grabber.h>
 #include <pcl/acquisition/pattern_selection.h>
 #include <pcl/acquisition/pattern_sequence_grabber.h>
 #include <pcl/acquisition/pattern_window.h>
 #include <pcl/acquisition/projector_latency.h>
 #include <pcl/acquisition/trinocular_recorder.h>
-#include <pcl/acquisition/usb_camera.h>
 
 #include <filesystem>
 #include <thread>
@@ -28,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 /** \brief The source of the frames: a camera, or a recording. */
 struct Device {
-  shared_ptr<DigiclopsGrabber> camera;         ///< null for a recording
+  std::unique_ptr<GrabbedCamera> camera;       ///< null for a recording
   shared_ptr<TrinocularFileGrabber> recording; ///< null for a camera
   TrinocularRig rig;                           ///< rig of the frames
 
@@ -37,69 +35,22 @@ struct Device {
   std::optional<RigCalibration> cameras;
 };
 
-IidcMode
-modeOf(const IidcCamera& camera, const std::string& wanted)
-{
-  std::string all;
-  for (const IidcMode& mode : camera.modes()) {
-    if (std::to_string(mode.format) + ":" + std::to_string(mode.mode) == wanted)
-      return mode;
-    all += (all.empty() ? "" : ", ") + mode.text();
-  }
-  throw UsageError("--mode: the camera has no mode " + wanted + "; it has " +
-                   (all.empty() ? "none" : all));
-}
-
-void
-setFeature(IidcCamera& camera, IidcFeature feature, const NumberOrAuto& wanted)
-{
-  if (wanted.is_auto)
-    camera.setAutomatic(feature);
-  else if (wanted.number)
-    camera.setPhysical(feature, static_cast<float>(*wanted.number));
-}
-
-/** \brief Sets mode, rate, shutter, gain, trigger and channel order. */
-void
-setUpCamera(DigiclopsGrabber& grabber, const GrabberOptions& options)
-{
-  if (const auto order = channelOrderOf(options.channel_order))
-    grabber.setChannelOrder(*order);
-  if (!options.mode.empty())
-    grabber.setMode(modeOf(grabber.camera(), options.mode));
-  grabber.setFramesPerSecond(static_cast<float>(options.rate));
-  setFeature(grabber.camera(), IidcFeature::Shutter, options.shutter);
-  setFeature(grabber.camera(), IidcFeature::Gain, options.gain);
-  grabber.camera().setTrigger(options.trigger == "external" ? IidcTrigger::External
-                                                            : IidcTrigger::Off);
-}
-
-/** \brief Opens the device, and applies the settings of the user to a camera.
- * \throws NothingFound when there is no such camera
- * \throws CameraException when it cannot be opened or does not support a setting
- * \throws UsageError, BadArgumentException for settings that no camera supports
+/** \brief Opens the device.
+ * \throws what the opener of the camera throws
  * \throws InputFileException when rig or recording cannot be read */
 Device
-openDevice(const GrabberOptions& options)
+openDevice(const GrabberOptions& options, const GrabbedCameraOpener& opener)
 {
   Device device;
   if (options.isRecording()) {
     constexpr float fastest = 1000; // frames per second
-    device.recording.reset(new TrinocularFileGrabber(options.device, fastest));
+    device.recording.reset(new TrinocularFileGrabber(options.recording(), fastest));
     device.recording->setSkipBroken(true);
     device.rig = device.recording->getRig();
   }
   else {
     device.rig = loadTrinocularRig(options.rig);
-    try {
-      device.camera.reset(new DigiclopsGrabber(device.rig, options.device));
-    }
-    catch (const CameraException& error) {
-      if (error.fault() == CameraFault::NotFound)
-        throw NothingFound(failureOf(std::current_exception()).line);
-      throw;
-    }
-    setUpCamera(*device.camera, options);
+    device.camera = opener(device.rig);
   }
   if (hasBuiltCameras(options.rigPath()))
     device.cameras = loadRigCalibration(options.rigPath());
@@ -147,67 +98,6 @@ private:
   PatternWindow window_;
 };
 
-/** \brief Waits while a condition holds, or until the user interrupts it. */
-template <typename Condition>
-void
-waitWhile(const Condition& condition)
-{
-  while (condition()) {
-    stopIfInterrupted();
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-}
-
-void
-takeShot(DigiclopsGrabber& camera)
-{
-  camera.trigger();
-  try {
-    waitWhile([&] { return camera.isRunning(); });
-  }
-  catch (const CancelledException&) {
-    camera.stop();
-    throw;
-  }
-  if (camera.getError())
-    std::rethrow_exception(camera.getError());
-}
-
-/** \brief Takes up to three shots under patterns, which provide corners everywhere,
- * until the grabber is certain of the order of its channels. Reports the order, or
- * warns if it remains uncertain. */
-void
-checkOrder(DigiclopsGrabber& camera,
-           PatternProjector& projector,
-           const std::vector<RgbImage>& patterns,
-           StatusLine& status,
-           StageLog& log)
-{
-  const auto is_certain = [&] {
-    const auto check = camera.getReport().order;
-    return check && check->is_certain;
-  };
-  constexpr std::chrono::milliseconds surely_settled(700);
-  const std::size_t shots =
-      std::min<std::size_t>(DigiclopsGrabber::max_order_checks, patterns.size());
-  for (std::size_t i = 0; i < shots && !is_certain(); ++i) {
-    projector.show(patterns[i]);
-    const Clock::time_point settled = Clock::now() + surely_settled;
-    waitWhile([&] { return Clock::now() < settled; });
-    takeShot(camera);
-  }
-  projector.showNothing();
-  camera.rewind();
-  const auto check = camera.getReport().order;
-  const std::string order = textOf(camera.getChannelOrder());
-  if (is_certain())
-    status.note("channels are " + order + ": " + shortNumber(100 * check->share) +
-                " % of the corners agree, under the next order " +
-                shortNumber(100 * check->runner_up) + " %");
-  else
-    log.warn("the order of the channels could not be checked, it is taken as " + order);
-}
-
 std::vector<RgbImage>
 drawPatterns(const GrabberOptions& options, const MonitorPlace& monitor, StageLog& log)
 {
@@ -246,8 +136,8 @@ settleTime(const GrabberOptions& options,
                              static_cast<std::size_t>(monitor.height);
   const RgbImage white{
       monitor.width, monitor.height, std::vector<std::uint8_t>(3 * pixels, 255)};
-  const auto measured = measureSettleTime(device.camera, window, white);
-  device.camera->rewind();
+  const auto measured = measureSettleTime(device.camera->grabber(), window, white);
+  device.camera->grabber()->rewind();
   if (!measured) {
     log.warn("the settle time could not be measured: the camera sees the projector's "
              "light too faintly, or too late; it is taken as usual");
@@ -257,8 +147,8 @@ settleTime(const GrabberOptions& options,
   return *measured;
 }
 
-/** \brief Opens the projector, draws the patterns, and measures the order of the
- * channels and the settle time if they are unknown.
+/** \brief Opens the projector, draws the patterns, and measures what of camera and
+ * projector is unknown.
  * \param[in] drawing is locked while the projector's window is drawn, since Xlib is not
  * thread-safe; outlives the projection
  * \throws BadArgumentException, IOException as \ref PatternWindow
@@ -272,24 +162,16 @@ openProjection(const GrabberOptions& options,
                StatusLine& status,
                StageLog& log)
 {
-  constexpr double shot_timeout = 5; // seconds, in addition to the exposure
-  // seconds; an external trigger may take longer
-  constexpr double external_timeout = 60;
   const shared_ptr<GuardedWindow> window(new GuardedWindow(drawing, options));
   std::vector<RgbImage> patterns = drawPatterns(options, window->getMonitor(), log);
-  // with fewer cameras the order cannot be determined
-  if (options.channel_order == "auto" && device.camera->getMode().cameras() == 3)
-    checkOrder(*device.camera, *window, patterns, status, log);
+  device.camera->check(*window, patterns, status, log);
   const double settle = settleTime(options, device, window, status, log);
   Projection projection;
   projection.monitor = window->getMonitor();
-  projection.sequence.reset(
-      new PatternSequenceGrabber(device.camera, window, std::move(patterns)));
+  projection.sequence.reset(new PatternSequenceGrabber(
+      device.camera->grabber(), window, std::move(patterns)));
   projection.sequence->setSettleTime(settle);
-  projection.sequence->setShotTimeout(
-      options.trigger == "external"
-          ? external_timeout
-          : shot_timeout + 3 * options.shutter.number.value_or(0.0));
+  projection.sequence->setShotTimeout(device.camera->shotTimeout());
   return projection;
 }
 
@@ -330,7 +212,7 @@ struct MapOutput {
   , rectifier(rectifierOf(options, device, threads))
   {
     requireNoneIn(folder, [](const std::string&) { return true; });
-    settings.input = options.isRecording() ? options.device : "the camera";
+    settings.input = options.isRecording() ? options.recording() : "the camera";
     map.emplace(settings, rectifier.rig(), observations, threads, live);
   }
 
@@ -696,48 +578,12 @@ tellRecording(const GrabberOptions& options,
   if (!report.doubled.empty())
     log.warn(std::to_string(report.doubled.size()) +
              " frames whose shot was there before are left out");
-  log.details["recording"] = {{"folder", options.device},
+  log.details["recording"] = {{"folder", options.recording()},
                               {"is_finished", report.is_finished},
                               {"broken_frames", report.broken},
                               {"left_out_frames", report.doubled},
                               {"findings", report.remarks}};
-  log.tell("recording", options.device);
-}
-
-void
-tellCamera(DigiclopsGrabber& grabber, StageLog& log)
-{
-  const IidcIdentity identity = grabber.camera().identity();
-  const DigiclopsGrabberReport report = grabber.getReport();
-  const std::string order = textOf(grabber.getChannelOrder());
-  Json check;
-  if (report.order)
-    check = {{"best", textOf(report.order->best)},
-             {"is_certain", report.order->is_certain},
-             {"corners", report.order->corners},
-             {"share", report.order->share},
-             {"runner_up", report.order->runner_up}};
-  log.details["camera"] = {{"place", grabber.camera().place()},
-                           {"serial", identity.serial()},
-                           {"maker", identity.maker},
-                           {"model", identity.model},
-                           {"iidc", identity.version},
-                           {"mode", grabber.getMode().text()},
-                           {"rate", grabber.getFramesPerSecond()},
-                           {"lost", report.lost},
-                           {"broken", report.broken},
-                           {"early", report.early},
-                           {"restarts", report.restarts},
-                           {"channel_order", order},
-                           {"order_check", check}};
-  log.warn(report.remarks);
-  log.tell("camera",
-           identity.serial() + ", " + identity.maker + ", " + identity.model + ", " +
-               grabber.camera().place());
-  log.tell("mode", grabber.getMode().text() + ", channels " + order);
-  log.tell("lost",
-           std::to_string(report.lost) + ", broken " + std::to_string(report.broken) +
-               ", restarts " + std::to_string(report.restarts));
+  log.tell("recording", options.recording());
 }
 
 void
@@ -779,14 +625,16 @@ bytesOfFrame(const TrinocularRig& rig)
 class GrabRun {
 public:
   /** \brief Opens device, outputs, projector and window. */
-  GrabRun(const GrabberOptions& options, const RunControls& controls, StageLog& log)
+  GrabRun(const GrabberOptions& options,
+          const GrabbedCameraOpener& opener,
+          const RunControls& controls,
+          StageLog& log)
   : options_(options)
   , controls_(controls)
   , log_(log)
-  , live_(options.live ? std::make_unique<LiveWindow>(drawing_, "pcl_digiclops_grabber")
-                       : nullptr)
-  , status_(!controls.is_quiet)
-  , device_(openDevice(options))
+  , live_(options.live ? std::make_unique<LiveWindow>(drawing_, options.tool) : nullptr)
+  , status_(options.tool, !controls.is_quiet)
+  , device_(openDevice(options, opener))
   , outputs_(options, device_, controls.threads, live_.get(), log)
   , queue_(queueLength(bytesOfFrame(device_.rig)))
   , wanted_(options.observations.value_or(device_.recording ? 0 : 1))
@@ -831,7 +679,7 @@ public:
   tell()
   {
     if (device_.camera)
-      tellCamera(*device_.camera, log_);
+      device_.camera->tell(log_);
     else
       tellRecording(options_, device_.recording->getReport(), log_);
     if (projection_)
@@ -880,7 +728,8 @@ private:
     });
     outputs_.close(progress());
     if (frames_ == 0)
-      throw InputFileException(options_.device + ": has no frame that can be read");
+      throw InputFileException(options_.recording() +
+                               ": has no frame that can be read");
   }
 
   /** Processes frames of the camera, one after another, until the user ends
@@ -889,7 +738,7 @@ private:
   passStream()
   {
     const bool has_end = options_.frames > 0 || options_.seconds > 0;
-    listenTo(*device_.camera);
+    listenTo(*device_.camera->grabber());
     grabber_->start();
     const Clock::time_point begin = Clock::now();
     const auto use = [&](const TrinocularFrame::ConstPtr& frame) {
@@ -1036,12 +885,8 @@ private:
     now.frames = frames_;
     now.doing = doing;
     outputs_.measure(now);
-    if (device_.camera) {
-      const DigiclopsGrabberReport report = device_.camera->getReport();
-      now.frames_per_second = report.frames_per_second;
-      now.lost = report.lost;
-      now.broken = report.broken;
-    }
+    if (device_.camera)
+      device_.camera->count(now);
     else
       now.broken = device_.recording->getReport().broken.size();
     status_.show(statusText(now));
@@ -1069,38 +914,13 @@ private:
 } // namespace
 
 void
-listCameras(StageLog& log)
-{
-  const std::vector<UsbCamera> cameras = listUsbCameras();
-  if (cameras.empty())
-    throw NothingFound("no camera that speaks IIDC is on the USB");
-  nlohmann::ordered_json& list = log.details["cameras"];
-  for (const UsbCamera& camera : cameras) {
-    const bool is_fine = camera.fault == CameraFault::None;
-    char id[16];
-    std::snprintf(id, sizeof(id), "%04x:%04x", camera.vendor, camera.product);
-    std::string text =
-        is_fine ? camera.serial + ", " + camera.maker + ", " + camera.model
-                : std::string(id) + ", " + nameOf(camera.fault) + ": " + camera.message;
-    if (is_fine && !camera.speed.empty())
-      text += ", " + camera.speed;
-    log.tell(camera.place, text);
-    list.push_back({{"place", camera.place},
-                    {"id", id},
-                    {"speed", camera.speed},
-                    {"serial", camera.serial},
-                    {"maker", camera.maker},
-                    {"model", camera.model},
-                    {"fault", nameOf(camera.fault)},
-                    {"message", camera.message}});
-  }
-}
-
-void
-grab(const GrabberOptions& options, const RunControls& controls, StageLog& log)
+grab(const GrabberOptions& options,
+     const GrabbedCameraOpener& opener,
+     const RunControls& controls,
+     StageLog& log)
 {
   StepTimer timer(log.report);
-  GrabRun run(options, controls, log);
+  GrabRun run(options, opener, controls, log);
   timer.finish("open");
   run.run(timer);
   run.tell();

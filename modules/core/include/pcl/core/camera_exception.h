@@ -7,7 +7,7 @@
 
 namespace pcl {
 
-/** \brief Faults of a camera on a bus. \ingroup acquisition */
+/** \brief Faults of a camera. \ingroup core */
 enum class CameraFault {
   None,
   NotFound,         ///< no such camera is on the bus
@@ -18,16 +18,17 @@ enum class CameraFault {
   Corrupt,          ///< frames arrive, but none of them is complete
   Malformed,        ///< its registers contain invalid values
   Unsupported,      ///< the camera does not support what was requested
-  Failed ///< the bus or the operating system reports an error, see the message
+  Failed, ///< the bus or the operating system reports an error, see the message
+  Moving  ///< cameras that are not synchronised did not see a scene that stands still
 };
 
 /** \brief Returns a name for messages and scripts, for example `unplugged`.
- * \ingroup acquisition */
+ * \ingroup core */
 ACMAP_EXPORT const char*
 nameOf(CameraFault fault);
 
 /** \brief Thrown when a camera cannot be opened, configured or read. The message names
- * the camera, the fault and, where possible, a remedy. \ingroup acquisition */
+ * the camera, the fault and, where possible, a remedy. \ingroup core */
 class ACMAP_EXPORT CameraException : public IOException {
 public:
   CameraException(CameraFault fault, const std::string& message);

@@ -2,11 +2,8 @@
 
 #include "command_line.h"
 
-#include <pcl/core/rig_cameras.h>
-
 #include <CLI/CLI.hpp>
 
-#include <sstream>
 #include <utility>
 
 namespace pcl::acmap {
@@ -47,15 +44,12 @@ addNumberOrAuto(CLI::App& app,
 }
 
 void
-addPlaces(CLI::App& app, GrabberOptions& options)
+addPlaces(CLI::App& app, GrabberOptions& options, const CameraTexts& texts)
 {
-  app.add_flag("--list", options.list, "List the cameras on the USB and stop");
-  app.add_option("--device",
-                 options.device,
-                 "Camera: its serial number, BUS:ADDRESS as --list has it, or "
-                 "usb:VENDOR:PRODUCT for a bridge; or the folder of a recording, which "
-                 "opens like a camera [default: the first camera that can be opened]")
-      ->type_name("ID|SESSION")
+  app.add_flag("--list", options.list, texts.list);
+  app.add_option("--device", options.devices, texts.device)
+      ->type_name(texts.device_type)
+      ->expected(1, texts.max_devices)
       ->default_str("");
   app.add_option("--rig",
                  options.rig,
@@ -154,15 +148,11 @@ addProjector(Tool& tool, GrabberOptions& options)
 }
 
 void
-addCamera(CLI::App& app, GrabberOptions& options)
+addCamera(CLI::App& app, GrabberOptions& options, const CameraTexts& texts)
 {
-  app.add_option("--mode",
-                 options.mode,
-                 "IIDC format and mode, say 7:0 [default: the first that fits the rig]")
-      ->type_name("F:M")
-      ->default_str("");
-  app.add_option("--rate", options.rate, "Frames a second of a stream")
+  app.add_option("--rate", options.rate, texts.rate)
       ->type_name("HZ")
+      ->default_str(texts.default_rate)
       ->check(positiveNumber().description(""))
       ->check(CLI::Range(0.0, 1000.0).description(""));
   addNumberOrAuto(app,
@@ -172,32 +162,16 @@ addCamera(CLI::App& app, GrabberOptions& options)
                   60.0,
                   "Exposure, seconds [default: as the camera is set]")
       ->type_name("SECONDS|auto");
-  addNumberOrAuto(app,
-                  "--gain",
-                  options.gain,
-                  -100.0,
-                  100.0,
-                  "Gain, dB [default: as the camera is set]")
-      ->type_name("DB|auto");
-  addChoice<std::string>(
-      app,
-      "--trigger",
-      options.trigger,
-      {{"off", "off"}, {"external", "external"}},
-      "what exposes a frame: the camera by itself (off), or its input (external)");
-  app.add_option("--channel-order",
-                 options.channel_order,
-                 "Cameras of a pixel's bytes, some order of r,h,v (reference, "
-                 "horizontal, vertical); auto finds it out")
-      ->type_name("R,H,V|auto");
+  addNumberOrAuto(
+      app, "--gain", options.gain, -texts.max_gain, texts.max_gain, texts.gain)
+      ->type_name(texts.gain_type + "|auto");
 }
 
 // names of options, for refuse
 constexpr const char* for_projector = "--lines --grey --min-angle --seed --monitor "
                                       "--display --settle --select --early --every";
 constexpr const char* for_stream = "--frames --seconds";
-constexpr const char* for_camera = "--rig --patterns --mode --rate --shutter --gain "
-                                   "--trigger --channel-order";
+constexpr const char* for_camera = "--rig --patterns --rate --shutter --gain";
 
 /** \brief Refuses options, named with blanks between them, if they are given. */
 void
@@ -213,16 +187,11 @@ requireSenseOfCamera(const CLI::App& app, const GrabberOptions& options)
 {
   if (options.rig.empty())
     throw UsageError("--rig is needed, the rig of the camera" +
-                     (options.device.empty()
-                          ? ""
-                          : "; " + options.device + " is no folder with a recording"));
+                     (options.devices.empty() ? ""
+                                              : "; " + options.devices.front() +
+                                                    " is no folder with a recording"));
   if (!options.isStream()) {
     refuse(app, for_stream, "is for a stream of frames, --patterns 0");
-    // Both are measured with additional shots, for which there is no external trigger.
-    if (options.trigger == "external" &&
-        (options.settle.is_auto || options.channel_order == "auto"))
-      throw UsageError("--trigger external with patterns needs --channel-order, and "
-                       "--settle in seconds");
     return;
   }
   for (const char* const names : {for_projector, "--observations"})
@@ -250,52 +219,38 @@ requirePlaces(const GrabberOptions& options)
   if (options.isRecording())
     for (const std::string& output :
          {options.clouds, options.session, options.map.output})
-      if (same(output, options.device))
+      if (same(output, options.recording()))
         throw UsageError(output + ": is the recording's folder, too");
 }
 
 } // namespace
 
 void
-addOptions(Tool& tool, GrabberOptions& options)
+addOptions(Tool& tool,
+           GrabberOptions& options,
+           const CameraTexts& texts,
+           const std::function<void(CLI::App&)>& add_own)
 {
   CLI::App& app = tool.options();
-  addPlaces(app, options);
+  addPlaces(app, options, texts);
   addAmounts(app, options);
   addProjector(tool, options);
-  addCamera(app, options);
+  addCamera(app, options, texts);
+  add_own(app);
   addStereoChoices(app, options.map.stereo);
   tool.addThreads();
 }
 
-std::optional<ChannelOrder>
-channelOrderOf(const std::string& text)
-{
-  if (text == "auto")
-    return std::nullopt;
-  std::istringstream words(text);
-  std::vector<RigCamera> order;
-  for (std::string word; std::getline(words, word, ',');)
-    for (const RigCamera camera : rig_cameras) {
-      const std::string name = nameOf(camera);
-      const bool is_new = std::count(order.begin(), order.end(), camera) == 0;
-      if (is_new && (word == name || word == name.substr(0, 1)))
-        order.push_back(camera);
-    }
-  const auto commas = std::count(text.begin(), text.end(), ',');
-  if (order.size() != rig_cameras.size() || commas != 2)
-    throw UsageError("--channel-order: " + text +
-                     " is neither auto nor an order of r,h,v");
-  return ChannelOrder{order[0], order[1], order[2]};
-}
-
 void
-requireSense(Tool& tool, const GrabberOptions& options)
+requireSense(Tool& tool, const GrabberOptions& options, const CameraTexts& texts)
 {
   const CLI::App& app = tool.options();
-  for (const char* const name : {"--device", "--rig", "--pcd", "--output", "--map"})
+  for (const char* const name : {"--rig", "--pcd", "--output", "--map"})
     if (app.count(name) > 0 && app.get_option(name)->as<std::string>().empty())
       throw UsageError(std::string(name) + " names nothing");
+  for (const std::string& device : options.devices)
+    if (device.empty())
+      throw UsageError("--device names nothing");
   if (options.list) {
     refuse(app, "--pcd --output --map --extend --live", "makes no sense with --list");
     return;
@@ -310,14 +265,16 @@ requireSense(Tool& tool, const GrabberOptions& options)
     throw UsageError("--pcd: a --map keeps the observations that it is made of, in its "
                      "stages/replay");
   if (options.isRecording()) {
-    const std::string reason = "is for a camera, " + options.device + " is a recording";
-    for (const char* const names :
-         {"--rig --every", for_camera, for_stream, for_projector})
+    const std::string reason =
+        "is for a camera, " + options.recording() + " is a recording";
+    for (const std::string& names : {std::string("--rig --every"),
+                                     for_camera + (" " + texts.own_options),
+                                     std::string(for_stream),
+                                     std::string(for_projector)})
       refuse(app, names, reason);
   }
   else
     requireSenseOfCamera(app, options);
-  channelOrderOf(options.channel_order);
   requireStereoSense(options.map.stereo);
   requirePlaces(options);
   tool.requireReportWritable({options.rigPath()});
