@@ -73,13 +73,15 @@ public:
     blocks_[memory] = bytes;
   }
 
-  /** The lock is kept meanwhile: \ref release must never see what is mapped next at that
-   * address. */
+  /** \ref release must never see what is mapped next at that address: it is forgotten
+   * first. Removing the file may take long, and needs no lock. */
   void
   unmap(void* memory, std::size_t bytes)
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    blocks_.erase(memory);
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      blocks_.erase(memory);
+    }
     ::munmap(memory, bytes);
   }
 

@@ -56,6 +56,7 @@ public:
   sum(std::size_t stretch, CellTable& near, LeftOut& left_out) const
   {
     Batch batch;
+    keepScratchSmall();
     const std::size_t begin = stretch * points_of_near_cells;
     const std::size_t end = std::min(begin + points_of_near_cells, points_.size());
     for (std::size_t first = begin; first < end; first += Batch::capacity) {

@@ -1,5 +1,7 @@
 #include "labeling/plane_sums.h"
 
+#include <pcl/core/impl/parallel.h>
+
 #include <algorithm>
 #include <map>
 #include <unordered_map>
@@ -26,6 +28,8 @@ sumPlane(const Survey& survey,
 {
   PlaneSums sums;
   for (const std::size_t i : members) {
+    if (i % parallel_chunk == 0)
+      keepScratchSmall();
     if (survey.entry(i) < 0) // a member may be outside of the grid
       continue;
     const std::size_t count = survey.count(i);
@@ -172,6 +176,8 @@ sumClusters(const Survey& survey,
     const bool is_clean = sums[plane].isClean();
     std::vector<FitSums>& clusters = sums[plane].clusters;
     for (const std::size_t i : range) {
+      if (i % parallel_chunk == 0)
+        keepScratchSmall();
       const std::int32_t entry = survey.entry(i);
       if (entry < 0)
         continue;
