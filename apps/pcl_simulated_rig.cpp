@@ -136,9 +136,8 @@ addCloudOptions(CLI::App& app, SimulationOptions& options)
            options.columns = std::stoul(text.substr(0, by));
            options.rows = std::stoul(text.substr(by + 1));
          },
-         "With --clouds, a building of N by M copies of the scene, each with noise of "
-         "its "
-         "own")
+         "With --clouds, a building of N by M copies of the scene, each with noise "
+         "of its own")
       ->type_name("NxM")
       ->default_str("")
       ->check(CLI::Validator(

@@ -1,6 +1,8 @@
 #include "clouds.h"
 #include "consolidation_runs.h"
 
+#include <pcl/conversions.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -231,6 +233,29 @@ TEST(ConsolidationClass, exactPlanesStayExact)
       EXPECT_LT(point.curvature, 1e-5F);
     }
   }
+}
+
+TEST(VoxelConsolidationOfRows, TheInputThatWasSetLastCounts)
+{
+  const auto flat = [](int points) {
+    PointCloud<PointXYZ> cloud;
+    for (int i = 0; i < points; ++i)
+      cloud.push_back(PointXYZ(0.01F * float(i % 50), 0.01F * float(i / 50), 1));
+    const PCLPointCloud2::Ptr blob(new PCLPointCloud2);
+    toPCLPointCloud2(cloud, *blob);
+    return blob;
+  };
+  const PCLPointCloud2::Ptr many = flat(1000), few = flat(900);
+  VoxelConsolidation<PCLPointCloud2> consolidation;
+  consolidation.setVoxelSize(0.05);
+  PCLPointCloud2 output;
+  consolidation.setInputCloud(CloudRows(
+      *many, LargeVector<std::uint8_t>(many->data.begin(), many->data.end())));
+  consolidation.filter(output);
+  EXPECT_EQ(consolidation.getReport().points, 1000U);
+  consolidation.setInputCloud(few);
+  consolidation.filter(output);
+  EXPECT_EQ(consolidation.getReport().points, 900U);
 }
 
 } // namespace

@@ -69,7 +69,7 @@ changeBetween(const ImageSet& before, const ImageSet& after)
   return largest;
 }
 
-/** \brief What the user wants of exposure and gain. */
+/** \brief Settings of exposure and gain. */
 struct Controls {
   std::optional<double> exposure; // s
   bool is_automatic = false;

@@ -4,7 +4,7 @@
 
 namespace pcl::acmap {
 
-/** \brief What the name of a device means. */
+/** \brief The kind of a video source. */
 enum class VideoKind { Camera, File, Images, Network, Pipeline };
 
 /** \brief A device, by the name under which OpenCV opens it. */

@@ -170,7 +170,19 @@ public:
 
   VoxelConsolidation();
 
-  using Filter<PCLPointCloud2>::setInputCloud;
+  /** \brief Sets the cloud, in place of rows that were set before. */
+  void
+  setInputCloud(const PCLPointCloud2ConstPtr& cloud)
+  {
+    Filter<PCLPointCloud2>::setInputCloud(cloud);
+    rows_ = CloudRows();
+  }
+
+  void
+  setInputCloud(const PCLPointCloud2Ptr& cloud)
+  {
+    setInputCloud(PCLPointCloud2ConstPtr(cloud));
+  }
 
   /** \brief Sets rows that need not be in a PCLPointCloud2; all of them are used. */
   void
