@@ -2,10 +2,13 @@
 #include "compact_mapping/chain_report.h"
 #include "compact_mapping/live_map.h"
 #include "compact_mapping/map_stage.h"
+#include "compact_mapping/recording.h"
 #include "compact_mapping/report_page.h"
+#include "compact_mapping/run_ranks.h"
 #include "live_window.h"
 #include "output_target.h"
 
+#include <pcl/pipeline/ranked_work.h>
 #include <pcl/visualization/display_connection.h>
 
 #include <algorithm>
@@ -77,8 +80,10 @@ void
 run(Tool& tool, const ChainOptions& options)
 {
   checkPlaces(options);
+  const std::optional<pcl::ObservationSequence> recorded =
+      openRecording(options.input, options.every);
   const StartingPoint start =
-      startingPointOf(options.input, options.texture.skip_broken);
+      startingPointOf(options.input, options.texture.skip_broken, recorded);
   requireSense(tool, options, start);
   const std::unique_ptr<DisplayConnection> display = openDisplay(tool, options);
   OutputFolder folder(options.output);
@@ -97,7 +102,7 @@ run(Tool& tool, const ChainOptions& options)
               (fs::path(options.output) / "stages").string());
   Sequence sequence;
   if (start != StartingPoint::Cloud && !options.as_recorded)
-    sequence = chain.sequenceFrom(start);
+    sequence = chain.sequenceFrom(start, recorded);
   nlohmann::ordered_json map_values = values(map_group);
   if (options.as_recorded) // whoever asks for a replay does not want an earlier one
     map_values["replayed"] =
@@ -136,19 +141,46 @@ run(Tool& tool, const ChainOptions& options)
   requireAllObservations(chain.stages().back().told.details, options.output);
 }
 
+/** \brief Works for rank 0, which alone prints and writes. */
+int
+serve(Tool& tool, pcl::Ranks& ranks, int argc, char** argv)
+{
+  tool.beSilent();
+  return tool.run(argc, argv, [&] { serveRanks(ranks); });
+}
+
+/** \brief Makes the map, with the processes of this run if there are several. */
+int
+lead(Tool& tool, ChainOptions& options, const RunRanks& ranks, int argc, char** argv)
+{
+  options.ranks = ranks.get();
+  const int code = tool.run(argc, argv, [&] {
+    takePaperWay(tool, options);
+    run(tool, options);
+  });
+  if (!ranks.get())
+    return code;
+  if (code == exit_interrupted)
+    ranks.abort(code); // the others may be in the midst of something
+  endRanks(*ranks.get());
+  return code;
+}
+
 } // namespace
 
 int
 main(int argc, char** argv)
 {
+  const RunRanks ranks(argc, argv);
   Tool tool(
       "pcl_compact_mapping",
       "Turns what a rig saw of a building, or its point clouds, into a few textured "
       "planes.");
   ChainOptions options;
   addOptions(tool, options);
-  return tool.run(argc, argv, [&] {
-    takePaperWay(tool, options);
-    run(tool, options);
-  });
+  if (ranks.get())
+    ranks.get()->setIdleCallback(stopIfInterrupted);
+  return ranks.get() && ranks.get()->rank() > 0
+             ? serve(tool, *ranks.get(), argc, argv)
+             : lead(tool, options, ranks, argc, argv);
 }

@@ -6,27 +6,25 @@
 #include "stage_reports.h"
 #include "tool.h"
 
-#include <pcl/conversions.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/filters/depth_refinement.h>
 #include <pcl/filters/voxel_consolidation.h>
 #include <pcl/pipeline/picture.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
 #include <pcl/surface/dewall_triangulation.h>
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
+#include <filesystem>
+#include <memory>
 #include <optional>
 
 namespace {
 
 using namespace pcl::acmap;
 
-using Triangulation = pcl::DeWallTriangulation<pcl::PointXYZ>;
+using Triangulation = pcl::DeWallTriangulation<pcl::PCLPointCloud2>;
 
 struct Options {
   std::string input;
@@ -90,43 +88,49 @@ checkPlaces(const Tool& tool, const Options& options)
     throw UsageError("--wall-depth needs an output that ends in .ply");
 }
 
-template <typename PointT>
-typename pcl::PointCloud<PointT>::Ptr
-typedCloud(const pcl::PointCloudFile& file, pcl::DeWallRule rule)
+/** \brief The cloud of the input, later its consolidation. */
+struct Input {
+  pcl::PointCloudFile file; ///< without the data of its cloud
+  pcl::CloudRows rows;
+
+  pcl::acmap::PointView
+  points() const
+  {
+    return requirePoints(rows);
+  }
+};
+
+/** \brief Large arrays are in files beside the output if they might not fit into the
+ * memory. */
+std::unique_ptr<pcl::ScratchMemory>
+scratchFor(const Options& options)
 {
-  const std::size_t size = file.points().size();
-  requireMemory(estimateDeWallMemory(size, true, rule) + size * sizeof(PointT),
-                "triangulating this cloud");
-  typename pcl::PointCloud<PointT>::Ptr cloud(new pcl::PointCloud<PointT>);
-  pcl::fromPCLPointCloud2(file.cloud, *cloud);
-  // An organized cloud is measured by a single sensor.
-  cloud->width = file.cloud.width;
-  cloud->height = file.cloud.height;
-  cloud->is_dense = false;
-  cloud->sensor_origin_.template head<3>() = file.sensor_origin;
-  cloud->sensor_orientation_ = file.sensor_orientation;
-  return cloud;
+  // A point has at least 12 bytes in a file, and its mesh takes up to 180.
+  constexpr std::size_t bytes_a_byte = 16;
+  std::error_code unknown_size;
+  const auto bytes = std::filesystem::file_size(options.input, unknown_size);
+  if (unknown_size || bytes <= availableMemory() / bytes_a_byte)
+    return nullptr;
+  const auto folder = std::filesystem::path(options.output).parent_path();
+  // what is visited again should still be there: arrays are visited in no order
+  const std::size_t of_process =
+      memoryLimit() > 0 ? memoryLimit() : availableMemory() / 2;
+  return std::make_unique<pcl::ScratchMemory>(
+      folder.empty() ? "." : folder.string(), residentScratch(), of_process);
 }
 
-bool
-hasNormals(const pcl::PointCloudFile& file)
-{
-  return std::all_of(
-      normal_field_names.begin(), normal_field_names.end(), [&](const char* name) {
-        return findField(file.cloud, name, pcl::PCLPointField::FLOAT32);
-      });
-}
-
-template <typename PointT>
 pcl::DeWallReport
 triangulate(const Options& options,
-            const pcl::PointCloudFile& file,
+            const Input& input,
             double maximum_edge_length,
             const RunControls& controls,
             pcl::TriangleMesh& mesh)
 {
-  pcl::DeWallTriangulation<PointT> dewall;
-  dewall.setInputCloud(typedCloud<PointT>(file, options.rule));
+  requireMemory(estimateDeWallMemory(input.rows.size(), true, options.rule),
+                "triangulating this cloud");
+  pcl::DeWallTriangulation<pcl::PCLPointCloud2> dewall;
+  dewall.setInputCloud(input.rows);
+  dewall.setSensorOrigin(input.file.sensor_origin);
   dewall.setMaximumEdgeLength(maximum_edge_length);
   dewall.setAcceptanceRule(options.rule);
   dewall.setComputeWallDepth(options.wall_depth);
@@ -160,31 +164,25 @@ summarize(const Options& options, const pcl::DeWallReport& report, StageLog& log
   log.tell("file", options.output);
 }
 
-std::shared_ptr<const pcl::PCLPointCloud2>
-giveUp(pcl::PCLPointCloud2& cloud)
-{
-  return std::make_shared<const pcl::PCLPointCloud2>(std::move(cloud));
-}
-
 /** Replaces the cloud by its consolidation.
  * \return the edge length of a voxel, metres */
 double
 consolidate(const Options& options,
-            pcl::PointCloudFile& file,
+            Input& input,
             const RunControls& controls,
             StageLog& log)
 {
   pcl::VoxelConsolidation<pcl::PCLPointCloud2> consolidation;
   consolidation.setViewpoints(
-      viewpointsOfFile(file, options.input, controls.scale, log));
-  consolidation.setSensorOrigin(file.sensor_origin);
+      viewpointsOfFile(input.file, options.input, controls.scale, log));
+  consolidation.setSensorOrigin(input.file.sensor_origin);
   if (*options.voxel_size > 0)
-    requireFineLength("--consolidate", *options.voxel_size, file.points(), log);
+    requireFineLength("--consolidate", *options.voxel_size, input.points(), log);
   consolidation.setVoxelSize(*options.voxel_size);
   consolidation.setNumberOfThreads(controls.threads);
   consolidation.setProgressCallback(controls.progress);
-  consolidation.setInputCloud(giveUp(file.cloud));
-  consolidation.filter(file.cloud);
+  consolidation.setInputCloud(input.rows);
+  consolidation.filter(input.rows);
   const pcl::ConsolidationReport& report = consolidation.getReport();
   log.warn(report.remarks);
   tellConsolidation(report, log);
@@ -193,30 +191,31 @@ consolidate(const Options& options,
 
 /** Removes the quantisation steps of the cloud, which becomes organized. */
 void
-refine(const Picture& picture,
-       pcl::PointCloudFile& file,
-       const RunControls& controls,
-       StageLog& log)
+refine(const Picture& picture, Input& input, const RunControls& controls, StageLog& log)
 {
+  auto cloud = std::make_shared<pcl::PCLPointCloud2>(input.rows.copy());
   if (picture.order)
-    file.cloud = picture.order->arrange(file.cloud);
+    *cloud = picture.order->arrange(*cloud);
   pcl::DepthRefinement<pcl::PCLPointCloud2> refinement;
   refinement.setNumberOfThreads(controls.threads);
   refinement.setProgressCallback(controls.progress);
-  refinement.setInputCloud(giveUp(file.cloud));
-  refinement.filter(file.cloud);
+  refinement.setInputCloud(cloud);
+  const auto refined = std::make_shared<pcl::PCLPointCloud2>();
+  refinement.filter(*refined);
+  input.rows = refined;
   tellDepthNoise(refinement.getReport().noise, log);
   tellRefinement(refinement.getReport(), log);
 }
 
 /** The picture in which a cloud is refined; nothing if it is processed in space. */
 std::optional<Picture>
-pictureOfFile(const Options& options, const pcl::PointCloudFile& file)
+pictureOfFile(const Options& options, const Input& input)
 {
   const bool is_automatic = options.voxel_size.value_or(0) == 0;
   try {
-    return is_automatic ? pictureOf(file.points(), file.cloud.width, options.sensor)
-                        : std::nullopt;
+    return is_automatic
+               ? pictureOf(input.points(), input.rows.layout().width, options.sensor)
+               : std::nullopt;
   }
   catch (const pcl::UnorganizedPointCloudException&) {
     throw UsageError(needs_picture);
@@ -227,40 +226,42 @@ void
 meshCloud(const Options& options, const RunControls& controls, StageLog& log)
 {
   StepTimer timer(log.report);
-  pcl::PointCloudFile file = loadScaledCloud(options.input, controls.scale);
+  const std::unique_ptr<pcl::ScratchMemory> scratch = scratchFor(options);
+  Input input;
+  input.rows = loadCloudRows(options.input, controls.scale, input.file);
   timer.finish("read");
   stopIfInterrupted();
 
   double maximum_edge_length = options.maximum_edge_length;
-  const std::optional<Picture> picture = pictureOfFile(options, file);
+  const std::optional<Picture> picture = pictureOfFile(options, input);
   if (picture && options.voxel_size) {
-    refine(*picture, file, controls, log);
+    refine(*picture, input, controls, log);
     timer.finish("refine");
   }
   else if (options.voxel_size) {
-    const double voxel_size = consolidate(options, file, controls, log);
+    const double voxel_size = consolidate(options, input, controls, log);
     timer.finish("consolidate");
     if (maximum_edge_length == 0)
       maximum_edge_length = pcl::mesh_edge_in_voxels * voxel_size;
   }
-  else if (picture && measureDepthStep(file.points()) > 0)
+  else if (picture && measureDepthStep(input.points()) > 0)
     log.warn("the depth is quantised, and the mesh shows its steps: --consolidate "
              "takes them out");
   pcl::TriangleMesh mesh;
   const pcl::DeWallReport report =
-      hasNormals(file) ? triangulate<pcl::PointNormal>(
-                             options, file, maximum_edge_length, controls, mesh)
-                       : triangulate<pcl::PointXYZ>(
-                             options, file, maximum_edge_length, controls, mesh);
+      triangulate(options, input, maximum_edge_length, controls, mesh);
   timer.finish("triangulate");
-  log.warn(file.remarks);
+  log.warn(input.file.remarks);
   log.warn(report.remarks);
-  log.warn(lengthRemarks(file.points(), report.median_spacing, controls.scale));
+  log.warn(lengthRemarks(input.points(), report.median_spacing, controls.scale));
+  if (scratch && scratch->getRefused() > 0)
+    log.warn(options.output + ": the disk is full, " +
+             gigabytes(scratch->getRefused()) + " of arrays stayed in memory");
   if (mesh.triangles.empty())
     log.failWithNothing(options.input + ": no triangle is possible");
 
   stopIfInterrupted();
-  pcl::saveTriangleMesh(options.output, file.cloud, mesh);
+  pcl::saveTriangleMesh(options.output, input.rows, mesh);
   timer.finish("write");
   summarize(options, report, log);
 }

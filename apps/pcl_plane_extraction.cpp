@@ -110,8 +110,11 @@ writeOutputs(const Options& options,
     if (!path.empty())
       outputs.write(path, save);
   };
-  write(options.output,
-        [&](const std::string& place) { pcl::saveMapFile(place, surfacesOf(found)); });
+  write(options.output, [&](const std::string& place) {
+    pcl::CompactMap map = surfacesOf(found);
+    map.shift = file.shift;
+    pcl::saveMapFile(place, map);
+  });
   write(options.normals, [&](const std::string& place) { saveNormals(place, found); });
   write(options.picture, [&](const std::string& place) { savePicture(place, found); });
   write(options.labels, [&](const std::string& place) {

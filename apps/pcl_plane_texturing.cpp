@@ -64,6 +64,7 @@ paint(const Options& options,
   if (ending != ".pcd" && ending != ".ply" && ending != ".obj")
     return paintPlanes(surfaces,
                        pcl::ObservationSequence(options.observations, controls.scale),
+                       nullptr,
                        options.texture,
                        controls,
                        log);

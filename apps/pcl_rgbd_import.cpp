@@ -105,7 +105,7 @@ addCameras(CLI::App& app, ImportOptions& options)
               options.depth_scale,
               "N",
               "Numbers of a depth image in a metre [default: 5000 for TUM, 1000 for "
-              "7-Scenes]");
+              "7-Scenes and Open3D]");
   addPositive(app,
               "--max-depth",
               options.max_depth,
@@ -131,8 +131,10 @@ addOptions(Tool& tool, ImportOptions& options)
   CLI::App& app = tool.options();
   app.add_option("input",
                  options.input,
-                 "RGB-D folder: rgb.txt, depth.txt, groundtruth.txt as of TUM, or "
-                 "frame-000000.color.jpg, .depth.png, .pose.txt as of 7-Scenes")
+                 "RGB-D folder: rgb.txt, depth.txt, groundtruth.txt as of TUM; "
+                 "frame-000000.color.jpg, .depth.png, .pose.txt as of 7-Scenes; or "
+                 "folders color and depth, camera_intrinsic.json, trajectory.log as of "
+                 "Open3D")
       ->type_name("DIR")
       ->required();
   app.add_option("-o,--output", options.output, "Folder for the observations")

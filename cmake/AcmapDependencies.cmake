@@ -53,9 +53,18 @@ if(needs_libusb)
                       INTERFACE_INCLUDE_DIRECTORIES "${LIBUSB_INCLUDE_DIR}")
 endif()
 
-# FLANN's headers call it: a search tree of PCL's, compiled for our point type, needs it.
-find_library(LZ4_LIBRARY lz4 REQUIRED)
-mark_as_advanced(LZ4_LIBRARY)
+# lz4 and zstd have package files in some distributions only. FLANN's headers call lz4, too: a
+# search tree of PCL's, compiled for our point type, needs it.
+foreach(name IN ITEMS lz4 zstd)
+  string(TOUPPER ${name} NAME)
+  string(REPLACE lz4 lz4frame header ${name})
+  find_path(${NAME}_INCLUDE_DIR ${header}.h REQUIRED)
+  find_library(${NAME}_LIBRARY ${name} REQUIRED)
+  mark_as_advanced(${NAME}_INCLUDE_DIR ${NAME}_LIBRARY)
+  add_library(${name} UNKNOWN IMPORTED)
+  set_target_properties(${name} PROPERTIES IMPORTED_LOCATION "${${NAME}_LIBRARY}"
+                                           INTERFACE_INCLUDE_DIRECTORIES "${${NAME}_INCLUDE_DIR}")
+endforeach()
 
 # OpenCV's package file comes with all of OpenCV only; six parts of it are enough.
 acmap_if_chosen(needs_opencv acquisition egomotion stereo video)

@@ -88,7 +88,11 @@ function(acmap_find_headers_packages result)
   list(REMOVE_DUPLICATES libraries)
   set(files)
   foreach(library IN LISTS libraries)
-    list(APPEND files "${${library}_CONFIG}")
+    if(library STREQUAL MPI) # which CMake finds without a package file
+      list(APPEND files "${MPI_CXX_HEADER_DIR}/mpi.h")
+    else()
+      list(APPEND files "${${library}_CONFIG}")
+    endif()
   endforeach()
   execute_process(COMMAND dpkg-query --search ${files} OUTPUT_VARIABLE owners
                   ERROR_QUIET RESULT_VARIABLE failure)

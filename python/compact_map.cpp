@@ -162,6 +162,14 @@ bindCompactMap(py::module_& module)
             return std::array<double, 3>{up.x(), up.y(), up.z()};
           },
           "the up direction in the map frame, (x, y, z) of length 1; None if unknown")
+      .def_property_readonly(
+          "shift",
+          memberArray<ReportedMap, double>(
+              {3},
+              [](const ReportedMap& reported) { return reported.map.shift.data(); }),
+          "(3,) float64, metres: what was subtracted from the coordinates of the "
+          "input, "
+          "such as a national grid; zeros if nothing was")
       .def("save",
            &saveMap,
            about_saving,

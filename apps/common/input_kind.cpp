@@ -87,6 +87,8 @@ kindOfFile(const std::string& path)
     ending = endingOf(fs::path(path).stem().string());
   if (ending == ".log" || ending == ".clf")
     return InputKind::CarmenLog;
+  if (ending == ".mcap")
+    return InputKind::Bag;
   for (const char* known : {".pcd", ".ply", ".obj", ".xyz", ".las", ".laz", ".e57"})
     if (ending == known)
       return InputKind::Cloud;
@@ -140,6 +142,9 @@ toolsForInputs()
        {{},
         "% is a laser log of CARMEN: run pcl_entropy_rectification --carmen % -o "
         "straight"}},
+      {InputKind::Bag,
+       {{"pcl_compact_mapping input"},
+        "% is a bag of ROS 2: run pcl_compact_mapping % -o map for a map"}},
       {InputKind::Planes,
        {{"pcl_compact_viewer input", "pcl_plane_texturing planes"},
         "% holds planes: run pcl_plane_texturing % POSED_DIR -o map to paint them, or "

@@ -15,6 +15,7 @@ enum class InputKind {
   Observations, ///< folder of other PCDs
   Images,       ///< folder of pictures
   CarmenLog,
+  Bag,    ///< of ROS 2
   Planes, ///< JSON
   Cloud   ///< points, or a mesh
 };

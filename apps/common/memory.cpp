@@ -7,6 +7,10 @@
 
 #include <sys/resource.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -33,6 +37,8 @@ constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
  * destructors (those of nlohmann-json), where a refusal would end the process. Large
  * blocks are refused. */
 constexpr std::size_t for_small_blocks = std::size_t{1} << 20;
+
+constexpr std::size_t min_resident_scratch = std::size_t{16} << 20;
 
 std::size_t memory_limit = 0;
 std::size_t memory_before = 0; // when the limit was set
@@ -103,6 +109,18 @@ startThreads(unsigned threads)
   });
 }
 
+/** \brief Lets the heap return each block of this size or more as soon as it is released.
+ * It would otherwise keep ever larger ones for later, with what lies between them, and all
+ * of that counts for the limit. */
+void
+returnBlocksAtOnce()
+{
+#ifdef __GLIBC__
+  constexpr int from = 128 * 1024; // bytes
+  mallopt(M_MMAP_THRESHOLD, from);
+#endif
+}
+
 std::size_t
 leftByLimit()
 {
@@ -129,6 +147,7 @@ limitMemory(std::size_t bytes, unsigned threads)
 {
   if (bytes == 0)
     return;
+  returnBlocksAtOnce();
   startThreads(threads);
   memory_before = ownMemory();
   memory_limit = bytes;
@@ -150,8 +169,15 @@ memoryLimit()
 std::size_t
 residentScratch()
 {
-  constexpr std::size_t least = std::size_t{16} << 20, usual = std::size_t{64} << 20;
-  return memory_limit == 0 ? usual : std::clamp(memory_limit / 8, least, usual);
+  constexpr std::size_t usual = std::size_t{256} << 20;
+  return memory_limit == 0 ? usual
+                           : std::clamp(memory_limit / 4, min_resident_scratch, usual);
+}
+
+std::size_t
+availableMemory()
+{
+  return std::min(leftByLimit(), rowOf("/proc/meminfo", "MemAvailable:"));
 }
 
 UnlimitedMemory::UnlimitedMemory()

@@ -23,10 +23,15 @@ limitMemory(std::size_t bytes, unsigned threads);
 std::size_t
 memoryLimit();
 
-/** \brief Bytes of scratch memory that may be in memory at the same time: a part of the
- * limit, if there is one. */
+/** \brief Bytes of scratch memory that may be in memory at the same time in any case: a part
+ * of the limit, if there is one. */
 std::size_t
 residentScratch();
+
+/** \brief Memory that this process may still allocate, in bytes: what the limit and this
+ * machine have left. */
+std::size_t
+availableMemory();
 
 /** \brief Suspends the limit during its lifetime, and does not count what is allocated
  * meanwhile: rendering libraries end the process when an allocation fails. */

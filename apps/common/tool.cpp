@@ -374,7 +374,7 @@ Tool::fullReport() const
 void
 Tool::writeReport() const
 {
-  if (!report_path_.empty())
+  if (!report_path_.empty() && !is_silent_)
     saveJson(report_path_, fullReport(), 2);
 }
 
@@ -394,6 +394,8 @@ Tool::flushSummary() const
 void
 Tool::print(const std::string& text) const
 {
+  if (is_silent_)
+    return;
   std::signal(SIGPIPE, pipe_action_);
   std::cout << text << std::flush;
   if (!std::cout)
@@ -403,7 +405,8 @@ Tool::print(const std::string& text) const
 void
 Tool::complain(const std::string& line) const
 {
-  std::cerr << name_ + ": " + printable(line) + "\n";
+  if (!is_silent_)
+    std::cerr << name_ + ": " + printable(line) + "\n";
 }
 
 void

@@ -84,6 +84,13 @@ public:
                   std::optional<double>& length,
                   const std::string& description);
 
+  /** \brief From now on, nothing is printed or reported: another process of this run does. */
+  void
+  beSilent()
+  {
+    is_silent_ = true;
+  }
+
   /** \brief Parses the command line, does the work and reports. Returns the exit code
    * of main.
    * \param[in] work may throw the exceptions that \ref failureOf knows */
@@ -159,6 +166,7 @@ private:
   std::vector<std::string> automatic_options_;
   std::string report_path_;
   bool quiet_ = false;
+  bool is_silent_ = false;
   std::size_t memory_limit_ = 0; // bytes; 0: none
   std::vector<std::string> command_line_;
   void (*pipe_action_)(int) = nullptr; // original action of SIGPIPE

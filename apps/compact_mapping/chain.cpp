@@ -3,6 +3,7 @@
 #include "active_stereo/stereo_options.h"
 #include "entropy_rectification/pose_adjustment.h"
 #include "entropy_rectification/rectification_options.h"
+#include "recording.h"
 #include "visual_egomotion/egomotion_options.h"
 
 #include <pcl/pipeline/observation_files.h>
@@ -127,11 +128,14 @@ Chain::throwInterrupted(std::string last) const
 }
 
 Sequence
-Chain::sequenceFrom(StartingPoint start)
+Chain::sequenceFrom(StartingPoint start,
+                    const std::optional<ObservationSequence>& recorded)
 {
   const bool is_session = start == StartingPoint::Session;
   const double scale = is_session ? 1 : controls_.scale;
-  const std::string observations = is_session ? makeObservations() : options_.input;
+  const std::string observations = is_session ? makeObservations()
+                                   : recorded ? importObservations(*recorded)
+                                              : options_.input;
   Sequence sequence;
   const bool is_posed =
       start == StartingPoint::PosedObservations || !options_.stereo.poses.empty();
@@ -139,6 +143,8 @@ Chain::sequenceFrom(StartingPoint start)
     sequence.posed.emplace(observations, scale);
   else
     sequence.posed = findPoses(observations, scale);
+  if (recorded)
+    sequence.posed = sequence.posed->withShift(scale * recorded->shift());
   const RectificationOptions& rectification = options_.rectification;
   OdometryNoise noise = rectification.odometry;
   if (poses_.noise && !rectification.has_odometry_noise)
@@ -172,6 +178,19 @@ Chain::makeObservations()
     return std::vector<std::string>();
   });
   return stereo.output;
+}
+
+std::string
+Chain::importObservations(const ObservationSequence& recorded)
+{
+  std::string folder = folderOf("observations");
+  run("observations",
+      {{"file", stateOfFile(options_.input)}, {"options", values_(bag_group)}},
+      [&](StageLog& log) {
+        importRecording(options_.input, recorded, folder, controls_, log);
+        return std::vector<std::string>();
+      });
+  return folder;
 }
 
 ObservationSequence
@@ -230,6 +249,8 @@ Chain::rectify(const std::string& observations,
   rectification.write_map = false;
   rectification.skip_broken = options_.texture.skip_broken;
   rectification.odometry = noise;
+  if (!posed.shift().isZero(0) && !rectification.up)
+    rectification.up = Eigen::Vector3d::UnitZ(); // of a surveyed grid
   return runPoses("rectification",
                   {{"observations", observations},
                    {"skips_broken", rectification.skip_broken},

@@ -50,10 +50,11 @@ public:
         std::string folder);
 
   /** \brief Computes the input of the map: observations and poses.
+   * \param[in] recorded of \ref openRecording for the input
    * \throws InterruptedPartway naming the stages that are finished
    * \throws what the stages throw */
   Sequence
-  sequenceFrom(StartingPoint start);
+  sequenceFrom(StartingPoint start, const std::optional<ObservationSequence>& recorded);
 
   /** \brief Runs a stage, or reuses the results of an earlier run.
    * \param[in] made_of its inputs and options, in addition to the previous stages
@@ -92,6 +93,10 @@ private:
 
   std::string
   makeObservations();
+
+  /** \brief Makes a folder of the observations of one file. */
+  std::string
+  importObservations(const ObservationSequence& recorded);
 
   ObservationSequence
   findPoses(const std::string& observations, double scale);

@@ -1,5 +1,7 @@
 #include "chain_options.h"
 
+#include "output_target.h"
+
 #include <CLI/CLI.hpp>
 
 #include <functional>
@@ -42,6 +44,11 @@ addSequenceOptions(Tool& tool, ChainOptions& options)
                    "each, in place of egomotion")
         ->type_name("TRAJECTORY.txt");
   });
+  inGroup(tool, bag_group, [&] {
+    app.add_option("--every", options.every, "Take only each Nth image or cloud")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
+  });
   inGroup(tool, egomotion_group, [&] { addMotionChoices(app, options.egomotion); });
   app.get_option("--6dof")
       ->description(
@@ -79,6 +86,15 @@ addMapOptions(Tool& tool, ChainOptions& options)
                    "fourth ... is taken; 50 bytes each on the disk while it is made")
         ->type_name("N")
         ->check(CLI::Range(std::size_t{1000}, std::size_t{1} << 31).description(""));
+    app.add_option("--formats",
+                   options.formats,
+                   "Which of map.html, map.ifc and floor_plan.svg, .dxf, .geojson are "
+                   "written, by their endings with commas between them")
+        ->type_name("LIST")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember(options.formats).description(""))
+        ->default_str("html,ifc,svg,dxf,geojson");
     app.add_flag_callback(
         "--no-pictures",
         [&options] { options.has_pictures = false; },
@@ -104,8 +120,9 @@ addOptions(Tool& tool, ChainOptions& options)
   app.add_option(
          "input",
          options.input,
-         "Raw session, folder of observation PCDs with or without poses, or one "
-         "cloud (.pcd, .ply, .obj, .xyz, .las, .e57)")
+         "Raw session, folder of observation PCDs with or without poses, E57 file of "
+         "several scans, bag of ROS 2 (.mcap), or one cloud (.pcd, .ply, .obj, .xyz, "
+         ".las, .e57)")
       ->type_name("INPUT")
       ->required();
   app.add_option("-o,--output", options.output, "Folder for the compact map")
@@ -157,6 +174,8 @@ requireSense(Tool& tool, const ChainOptions& options, StartingPoint start)
       (start == StartingPoint::Cloud ? "one cloud" : nameOf(start));
   if (start != StartingPoint::Session)
     refuseGroup(tool, stereo_group, "is for raw sessions, and " + what);
+  if (endingOf(options.input) != ".mcap")
+    refuseGroup(tool, bag_group, "is for bags, and " + what);
   if (start == StartingPoint::PosedObservations || start == StartingPoint::Cloud)
     refuseGroup(
         tool, egomotion_group, "is for observations without poses, and " + what);

@@ -7,6 +7,10 @@
 #include "texturing/texture_stage.h"
 #include "visual_egomotion/egomotion_options.h"
 
+#include <pcl/pipeline/ranks.h>
+
+#include <memory>
+
 namespace pcl::acmap {
 
 /** \brief Options of the user: those of all stages. */
@@ -22,9 +26,13 @@ struct ChainOptions {
   std::string earlier; ///< folder of a map that is extended; empty: none
   std::string truth;   ///< simulated session to compare with; empty: none
   bool has_pictures = true;
+  /** \brief Endings of those of map.html, map.ifc and the floor plans that are written. */
+  std::vector<std::string> formats = {"html", "ifc", "svg", "dxf", "geojson"};
   bool rectifies = true;
-  bool as_recorded = false; ///< replay a session at its pace, and map it meanwhile
-  bool live = false;        ///< show the map of the replay so far
+  std::size_t every = 1;        ///< take each n-th observation of a bag
+  bool as_recorded = false;     ///< replay a session at its pace, and map it meanwhile
+  bool live = false;            ///< show the map of the replay so far
+  std::shared_ptr<Ranks> ranks; ///< processes that make the map; null: this one alone
   /** \brief Maximum for the merged cloud, before it is consolidated. */
   std::size_t max_points = 2000000000;
   StereoOptions stereo;
@@ -36,6 +44,7 @@ struct ChainOptions {
 
 /** \brief Titles of the option groups of the stages in the help. */
 constexpr const char* stereo_group = "Stereo, for a raw session";
+constexpr const char* bag_group = "Bag of ROS 2";
 constexpr const char* egomotion_group = "Egomotion, for observations without poses";
 constexpr const char* motion_group = "Motion, for more than one observation";
 constexpr const char* rectification_group =

@@ -13,6 +13,7 @@
 #include <pcl/pipeline/observation_list.h>
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping_types.h>
+#include <pcl/pipeline/ranked_work.h>
 #include <pcl/texture/floor_plan.h>
 #include <pcl/texture/map_ifc.h>
 #include <pcl/texture/map_page.h>
@@ -22,6 +23,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iomanip>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -63,13 +66,29 @@ thinned(const CloudRows& map)
   return everyNth(map, map.size() / maximum + 1);
 }
 
+/** \brief Reports how much the processes had to tell each other. */
+void
+tellRanks(const Ranks& ranks, StageLog& log)
+{
+  constexpr double megabyte = 1e6;
+  log.details["ranks"] = {{"processes", ranks.size()},
+                          {"messages", ranks.getNumberOfMessages()},
+                          {"bytes", ranks.getNumberOfBytes()}};
+  log.tell("ranks",
+           std::to_string(ranks.size()) + ", " +
+               shortNumber(static_cast<double>(ranks.getNumberOfBytes()) / megabyte) +
+               " MB in " + std::to_string(ranks.getNumberOfMessages()) + " messages");
+}
+
 MergedCloud
 merge(const ChainOptions& options,
       const ObservationSequence& posed,
+      const std::shared_ptr<RankedWork>& work,
       const RunControls& controls,
       StageLog& log)
 {
   ObservationMerging merging = mergingOf(options, controls.threads);
+  merging.setRankedWork(work);
   merging.setProgressCallback(controls.progress);
   MergedCloud merged;
   merging.compute(posed, merged);
@@ -99,9 +118,17 @@ mapSequence(const ChainOptions& options,
             StageLog& log)
 {
   Mapped result;
+  std::vector<std::string> remarks;
+  const std::shared_ptr<RankedWork> work = shareOut(options.ranks,
+                                                    *sequence.posed,
+                                                    controls.threads,
+                                                    folder.path(""),
+                                                    residentScratch(),
+                                                    remarks);
+  log.warn(remarks);
   {
     StepTimer timer(log.report);
-    const MergedCloud merged = merge(options, *sequence.posed, controls, log);
+    const MergedCloud merged = merge(options, *sequence.posed, work, controls, log);
     timer.finish("read");
     PlaneOptions planes = options.planes;
     planes.sensor = sensorOfMerged(planes.sensor, merged.viewpoints.size());
@@ -113,9 +140,16 @@ mapSequence(const ChainOptions& options,
   }
   requirePlanes(options.input, result.found, log);
   StepTimer timer(log.report);
-  result.map = paintPlanes(
-      surfacesOf(result.found), *sequence.posed, options.texture, controls, log);
+  result.map = paintPlanes(surfacesOf(result.found),
+                           *sequence.posed,
+                           work.get(),
+                           options.texture,
+                           controls,
+                           log);
+  if (work)
+    tellRanks(work->ranks(), log);
   result.map.up = sequence.up.value_or(Eigen::Vector3d::Zero());
+  result.map.shift = sequence.posed->shift();
   saveTrajectory(folder.path(trajectory_name), result.map.trajectory);
   saveObservationList((fs::path(options.output) / observation_list_name).string(),
                       options.output,
@@ -140,6 +174,7 @@ mapCloud(const ChainOptions& options, const RunControls& controls, StageLog& log
   StepTimer paint_timer(log.report);
   result.map =
       paintPlanes(surfacesOf(result.found), rows, options.texture, controls, log);
+  result.map.shift = file->shift;
   paint_timer.finish("paint");
   return result;
 }
@@ -247,6 +282,21 @@ jsonOfSizes(const std::vector<Patch>& patches)
   return list;
 }
 
+/** \brief Reports what was subtracted from the coordinates of the input. */
+void
+tellShift(const CompactMap& map, StageLog& log)
+{
+  if (map.shift.isZero(0))
+    return;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << map.shift.x() << ", " << map.shift.y()
+       << ", " << map.shift.z();
+  log.details["shift"] = {map.shift.x(), map.shift.y(), map.shift.z()};
+  log.tell("coordinates",
+           "of the input less " + text.str() +
+               "; those of the input in floor_plan.dxf, .geojson and map.ifc");
+}
+
 /** \brief Reports the up direction of the pictures, and its tilt in the map's frame. */
 void
 tellUp(const CompactMap& map, StageLog& log)
@@ -273,6 +323,7 @@ tellMap(const ChainOptions& options, const Mapped& mapped, StageLog& log)
     log.details["recesses"] = jsonOfSizes(mapped.map.recesses);
   }
   tellUp(mapped.map, log);
+  tellShift(mapped.map, log);
   tellCompactness(mapped.found.finite_points, mapped.map, options.output, log);
 }
 
@@ -301,11 +352,13 @@ writeMap(const ChainOptions& options,
   const FloorPlan plan = makeFloorPlan(mapped.map);
   setRooms(plan, mapped.map);
   saveCompactMap(folder.path(""), mapped.map, options.texture.outputs);
-  for (const char* name : {"floor_plan.svg", "floor_plan.dxf", "floor_plan.geojson"})
-    saveFloorPlan(folder.path(name), plan);
-  if (options.texture.outputs.glb)
-    saveMapPage(folder.path("map.html"), folder.path(""), posesBefore(folder));
-  saveMapIfc(folder.path("map.ifc"), mapped.map, plan);
+  for (const std::string& format : options.formats)
+    if (format == "html")
+      saveMapPage(folder.path("map.html"), folder.path(""), posesBefore(folder));
+    else if (format == "ifc")
+      saveMapIfc(folder.path("map.ifc"), mapped.map, plan);
+    else
+      saveFloorPlan(folder.path("floor_plan." + format), plan);
   saveNormals(folder.path("mesh.ply"), mapped.found);
   timer.finish("write map");
   if (draws)
@@ -327,7 +380,7 @@ makeMap(const ChainOptions& options,
         const RunControls& controls,
         StageLog& log)
 {
-  const ScratchMemory scratch(folder.path(""), residentScratch());
+  const ScratchMemory scratch(folder.path(""), residentScratch(), memoryLimit());
   Mapped mapped = sequence.posed ? mapSequence(options, sequence, folder, controls, log)
                                  : mapCloud(options, controls, log);
   if (scratch.getRefused() > 0)

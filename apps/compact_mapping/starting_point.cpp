@@ -3,7 +3,6 @@
 #include "input_kind.h"
 
 #include <pcl/core/exceptions.h>
-#include <pcl/pipeline/observation_sequence.h>
 
 #include <filesystem>
 #include <optional>
@@ -55,16 +54,21 @@ nameOf(StartingPoint start)
 }
 
 StartingPoint
-startingPointOf(const std::string& input, bool skip_broken)
+startingPointOf(const std::string& input,
+                bool skip_broken,
+                const std::optional<ObservationSequence>& recorded)
 {
+  const auto observations = [](bool has_poses) {
+    return has_poses ? StartingPoint::PosedObservations : StartingPoint::Observations;
+  };
+  if (recorded)
+    return observations(recorded->hasTrajectory());
   std::error_code error;
   if (!fs::is_directory(input, error))
     return StartingPoint::Cloud;
   if (inputKindOf(input) == InputKind::RawSession)
     return StartingPoint::Session;
-  return hasPoses(ObservationSequence(input), skip_broken)
-             ? StartingPoint::PosedObservations
-             : StartingPoint::Observations;
+  return observations(hasPoses(ObservationSequence(input), skip_broken));
 }
 
 } // namespace pcl::acmap

@@ -130,6 +130,7 @@ addTextureOptions(Tool& tool, TextureOptions& options)
 CompactMap
 paintPlanes(const CompactMap& surfaces,
             const ObservationSequence& sequence,
+            RankedWork* work,
             const TextureOptions& options,
             const RunControls& controls,
             StageLog& log)
@@ -153,12 +154,12 @@ paintPlanes(const CompactMap& surfaces,
       return std::nullopt;
     }
   };
-  for (std::size_t i = 0; i < sequence.size(); ++i)
-    texturing.addObservationLoader([&load, i] { return load(i); });
+  addObservations(work, sequence.size(), load, texturing);
   CompactMap map;
   texturing.texture(map);
   map.boxes = surfaces.boxes;
   map.recesses = surfaces.recesses;
+  map.shift = surfaces.shift;
   const std::vector<std::string> told = log.report.remarks; // those of the merging
   for (const std::string& remark : remarks)
     if (std::find(told.begin(), told.end(), remark) == told.end())
@@ -185,6 +186,7 @@ paintPlanes(const CompactMap& surfaces,
   texturing.texture(map);
   map.boxes = surfaces.boxes;
   map.recesses = surfaces.recesses;
+  map.shift = surfaces.shift;
   tellTexture(texturing.getReport(), log);
   return map;
 }

@@ -4,6 +4,7 @@
 
 #include <pcl/core/compact_map.h>
 #include <pcl/pipeline/observation_sequence.h>
+#include <pcl/pipeline/ranked_work.h>
 #include <pcl/point_types.h>
 #include <pcl/texture/compact_map_folder.h>
 #include <pcl/texture/plane_texturing.h>
@@ -45,11 +46,13 @@ tellTexture(const TexturingReport& report, StageLog& log);
 /** \brief Textures planes and cylinders with the observations of a folder, as a step of the
  * tool.
  * \param[in] surfaces map whose planes, cylinders, boxes and recesses the result has
+ * \param[in] work of other processes with these observations; null: there are none
  * \throws InputFileException when an observation cannot be read and none may be
  * skipped */
 CompactMap
 paintPlanes(const CompactMap& surfaces,
             const ObservationSequence& sequence,
+            RankedWork* work,
             const TextureOptions& options,
             const RunControls& controls,
             StageLog& log);

@@ -3,8 +3,12 @@
 #include "tool_cases.h"
 
 #include <gmock/gmock.h>
+#include <zlib.h>
 
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 
 namespace pcl::acmap::test {
 namespace {
@@ -124,18 +128,49 @@ TEST_F(ChainInterruption, AKilledRunKeepsItsObservationsAndLeavesNothingThatStay
   EXPECT_EQ(fs::last_write_time(first_), time);
 }
 
-/** The replay of the three observations takes a second or two. */
+/** \brief Moves the time at which a frame was recorded. */
+void
+delayFrame(const std::string& path, std::int64_t microseconds)
+{
+  constexpr std::size_t place = 28; // of the stamp, see doc/acquisition/frame_file.md
+  std::string bytes = contentOf(path);
+  const std::size_t end = bytes.size() - sizeof(std::uint32_t);
+  std::int64_t stamp = 0;
+  std::memcpy(&stamp, &bytes[place], sizeof(stamp));
+  stamp += microseconds;
+  std::memcpy(&bytes[place], &stamp, sizeof(stamp));
+  const auto checksum = static_cast<std::uint32_t>(
+      crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(end)));
+  std::memcpy(&bytes[end], &checksum, sizeof(checksum));
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+void
+delayThirdObservation(const std::string& session, std::int64_t microseconds)
+{
+  for (const char* name : {"/frame_000008.acf",
+                           "/frame_000009.acf",
+                           "/frame_000010.acf",
+                           "/frame_000011.acf"})
+    delayFrame(session + name, microseconds);
+}
+
+/** The second observation ends where the third begins, which would be in half a minute:
+ * the interruption comes before, however busy the machine is. */
 TEST_F(ChainInterruption, AReplayEndsWithAMapOfWhatItHasSeen)
 {
-  const std::string second = stage("replay") + "/observation_0001.pcd";
+  constexpr std::int64_t half_minute = 30000000;
+  delayThirdObservation(session_, half_minute);
+  const std::string first = stage("replay") + "/observation_0000.pcd";
   RunSettings settings;
-  settings.interrupt_when = [&] { return fs::exists(second); };
+  settings.interrupt_when = [&] { return fs::exists(first); };
   const ToolRun stopped = runSessionChain(session_, out_, {"--as-recorded"}, settings);
-  expectRefused(stopped, 130, "observations by then is in " + out_);
-  EXPECT_THAT(stopped.err, HasSubstr("interrupted; the map of the "));
+  expectRefused(stopped, 130, "observation by then is in " + out_);
+  EXPECT_THAT(stopped.err, HasSubstr("interrupted; the map of the 1 "));
   EXPECT_TRUE(fs::exists(out_ + "/map.glb"));
   EXPECT_THAT(hiddenIn(out_), IsEmpty());
   // an interrupted replay is no result that a later one would take
+  delayThirdObservation(session_, -half_minute);
   const ToolRun again = runSessionChain(session_, out_, {"--as-recorded"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(contentOf(out_ + "/map.json"), contentOf(map_ + "/map.json"));

@@ -4,7 +4,9 @@
 #include "tool_cases.h"
 #include "virtual_display.h"
 
+#include <pcl/conversions.h>
 #include <pcl/core/image_file.h>
+#include <pcl/core/point_cloud_writer.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -135,6 +137,36 @@ TEST_F(MemoryLimit, RoomyChangesNothing)
   EXPECT_TRUE(contentOf(path("with.ply")) == contentOf(path("without.ply")));
   fs::remove(path("with.ply"));
   fs::remove(path("without.ply"));
+}
+
+/** Meshing takes 170 bytes for each point in memory: here they are in files. */
+TEST_F(MemoryLimit, IsKeptByAMeshOfManyPoints)
+{
+  if (is_sanitized)
+    GTEST_SKIP() << "a sanitizer has memory of its own";
+  PointCloud<PointXYZ> wall;
+  std::uint32_t bits = 1;
+  const auto noise = [&bits] {
+    bits = bits * 1664525u + 1013904223u;
+    return static_cast<float>(bits >> 8) / (1 << 24) - 0.5F;
+  };
+  for (int row = 0; row < 700; ++row)
+    for (int column = 0; column < 700; ++column)
+      wall.emplace_back(0.01F * (static_cast<float>(column) + noise()),
+                        0.01F * (static_cast<float>(row) + noise()),
+                        2 + 0.01F * noise());
+  PCLPointCloud2 cloud;
+  toPCLPointCloud2(wall, cloud);
+  savePointCloud(path("wall.pcd"), cloud);
+  ASSERT_EQ(runSurface({path("wall.pcd"), path("without.ply")}).exit_code, 0);
+  const auto before = folder_->count();
+  const ToolRun limited =
+      run(ACMAP_DEWALL_SURFACE, {path("wall.pcd"), path("with.ply")}, "50MB");
+  ASSERT_EQ(limited.exit_code, 0) << limited.err;
+  EXPECT_EQ(folder_->count(), before + 1) << "no file but the mesh is left";
+  EXPECT_TRUE(contentOf(path("with.ply")) == contentOf(path("without.ply")));
+  for (const char* name : {"wall.pcd", "with.ply", "without.ply"})
+    fs::remove(path(name));
 }
 
 TEST_F(MemoryLimit, MeetsWorkersOnTheWayWithoutHarm)

@@ -11,7 +11,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-using Triangles = std::vector<TriangleMesh::Triangle>;
+using Triangles = TriangleMesh::Triangles;
 
 double
 sumOfRoots(std::size_t begin, std::size_t end)

@@ -150,7 +150,7 @@ byOurs(const test::Cloud& cloud)
   return timed(
       cloud.size(),
       [&] {
-        std::vector<dewall::SourcePoint> points;
+        dewall::SourcePoints points;
         for (std::size_t i = 0; i < cloud.size(); ++i)
           points.push_back(
               {{cloud[i].x, cloud[i].y, cloud[i].z}, static_cast<std::int32_t>(i)});

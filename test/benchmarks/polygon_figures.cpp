@@ -21,7 +21,7 @@
 namespace pcl::acmap::bench {
 namespace {
 
-using Triangles = std::vector<TriangleMesh::Triangle>;
+using Triangles = TriangleMesh::Triangles;
 using Loop = std::vector<Eigen::Vector3f>;
 
 /** \brief A polygon and the unit cells that it consists of. */

@@ -55,7 +55,8 @@ make_root() {
   tar -C "$root" -xf "$work/$release.tar"
   cp /etc/resolv.conf "$root/etc/resolv.conf"
   mkdir "$root/try"
-  cp "$packages"/*.deb "$source/test/consumer" "$source/share/examples" "$root/try" -r
+  cp "$packages"/*.deb "$source/test/consumer" "$source/test/consumer_mpi" "$source/share/examples" \
+    "$root/try" -r
 }
 
 # list_files FILE: existing files, except those of the kernel and of this test.
@@ -74,7 +75,7 @@ for tool in $(dpkg -L acmap-tools | grep ^/usr/bin/); do
   echo "$($tool --version) in $tool"
 done
 cd /try
-pcl_simulated_rig -o clouds --observations 1 --clouds
+pcl_simulated_rig -o clouds --observations 2 --clouds
 pcl_simulated_rig -o raw --observations 1 --patterns 4 --cameras /usr/share/acmap/rigs/*.yaml
 pcl_active_stereo raw -o observations
 pcl_dewall_surface clouds/observation_0000.pcd mesh.ply --consolidate
@@ -82,6 +83,9 @@ pcl_plane_extraction mesh.ply planes.json
 get $(dpkg-query -W -f '${Suggests}' acmap-tools | tr -d ,)
 xvfb-run -a -s "-screen 0 1280x960x24" pcl_compact_viewer mesh.ply --screenshot mesh.png
 xvfb-run -a -s "-screen 0 1280x960x24" pcl_compact_mapping clouds -o map
+get openmpi-bin
+mpirun --allow-run-as-root --oversubscribe -n 2 pcl_compact_mapping clouds -o ranks --no-pictures
+cmp map/map.json ranks/map.json
 END
 }
 
@@ -93,11 +97,12 @@ get /try/libacmap-dev_*.deb g++ cmake make
 readelf -d /usr/bin/pcl_* /usr/lib/*/libacmap_* >/try/dynamic.txt
 never grep -E 'RPATH|RUNPATH' /try/dynamic.txt
 cd /try
-for project in consumer examples/[0-9]*; do
+for project in consumer consumer_mpi examples/[0-9]*; do
   cmake -S "$project" -B build/"$project" -DCMAKE_BUILD_TYPE=Release
   cmake --build build/"$project"
 done
 build/consumer/mesh_grid
+mpirun --allow-run-as-root --oversubscribe -n 2 build/consumer_mpi/pass_around
 END
 }
 

@@ -140,7 +140,7 @@ CellRegion::polygons(bool pinched) const
 int
 wronglyCovered(const PlanePolygon& polygon,
                const Cells& cells,
-               const std::vector<TriangleMesh::Triangle>& triangles)
+               const TriangleMesh::Triangles& triangles)
 {
   std::vector<Eigen::Vector2d> points;
   const auto append = [&](const std::vector<Eigen::Vector3f>& loop) {

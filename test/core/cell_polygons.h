@@ -34,6 +34,6 @@ private:
 int
 wronglyCovered(const PlanePolygon& polygon,
                const Cells& cells,
-               const std::vector<TriangleMesh::Triangle>& triangles);
+               const TriangleMesh::Triangles& triangles);
 
 } // namespace pcl::acmap::test

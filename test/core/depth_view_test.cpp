@@ -92,6 +92,36 @@ TEST(PictureOrder, isFoundAgainWithoutPixelsThatMeasureNothing)
   EXPECT_EQ(order->labelsOfPoints(labels).back(), -1);
 }
 
+/** A wall that rises to the right, in rows, in columns, and in no order. */
+TEST(PictureOrder, ofALargePictureIsFoundInAnyOrder)
+{
+  constexpr std::size_t width = 900, height = 600, pixels = width * height;
+  const auto pointAt = [](std::size_t column, std::size_t row) {
+    const float z = 2 + 0.001F * static_cast<float>(column);
+    return Eigen::Vector3f(z * (static_cast<float>(column) - 450) / 800,
+                           z * (static_cast<float>(row) - 300) / 800,
+                           z);
+  };
+  std::vector<Eigen::Vector3f> in_rows, in_columns, mixed;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    in_rows.push_back(pointAt(i % width, i / width));
+    in_columns.push_back(pointAt(i / height, i % height));
+    const std::size_t other = i * 7919 % pixels;
+    mixed.push_back(pointAt(other % width, other / width));
+  }
+  for (const auto* points : {&in_rows, &in_columns, &mixed}) {
+    const auto order = findPictureOrder(viewOf(*points));
+    ASSERT_TRUE(order);
+    EXPECT_EQ(order->width, width);
+    EXPECT_EQ(order->height, height);
+    EXPECT_EQ(order->arrange(viewOf(*points)), in_rows);
+  }
+  std::vector<Eigen::Vector3f> scan = in_rows; // of another place, after half a picture
+  for (std::size_t i = pixels / 2; i < pixels; ++i)
+    scan[i] += Eigen::Vector3f(1, 0.5F, 2);
+  EXPECT_FALSE(findPictureOrder(viewOf(scan)));
+}
+
 TEST(PictureOrder, isNoneOfOtherClouds)
 {
   const DepthRoom room({});

@@ -1,9 +1,11 @@
 #include "cloud_values.h"
+#include "e57_file.h"
 #include "temporary_folder.h"
 #include "test_data.h"
 
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/core/scan_file.h>
 
 #include <gmock/gmock.h>
 
@@ -17,100 +19,6 @@ namespace pcl::acmap::test {
 namespace {
 
 using testing::HasSubstr;
-
-/** Bits of a stream of an E57 file, the lowest first. */
-class BitStream {
-public:
-  void
-  add(std::uint64_t value, unsigned bits)
-  {
-    for (unsigned i = 0; i < bits; ++i, ++count_) {
-      if (count_ % 8 == 0)
-        bytes.push_back('\0');
-      bytes.back() = static_cast<char>(bytes.back() | (value >> i & 1) << (count_ % 8));
-    }
-  }
-
-  std::string bytes;
-
-private:
-  std::size_t count_ = 0;
-};
-
-/** A scan as it is written. */
-struct WrittenScan {
-  std::string prototype, more;
-  std::vector<std::string> streams;
-  std::size_t count = 0;
-};
-
-std::uint32_t
-slowChecksum(const std::string& bytes)
-{
-  std::uint32_t value = ~0U;
-  for (const char c : bytes) {
-    value ^= static_cast<unsigned char>(c);
-    for (int bit = 0; bit < 8; ++bit)
-      value = value & 1 ? value >> 1 ^ 0x82F63B78U : value >> 1;
-  }
-  return ~value;
-}
-
-std::uint64_t
-physical(std::uint64_t logical)
-{
-  return logical / 1020 * 1024 + logical % 1020;
-}
-
-/** An E57 file as ASTM E2807 has it; each packet has a part of the streams. */
-std::string
-e57Of(const std::vector<WrittenScan>& scans, std::size_t packets = 1)
-{
-  std::string logical(48, '\0'), xml = "<?xml version=\"1.0\"?><e57Root><data3D>";
-  for (const WrittenScan& scan : scans) {
-    while (logical.size() % 1020 > 900) // an offset must not be within a checksum
-      logical.push_back('\0');
-    const std::uint64_t section = logical.size();
-    std::string body;
-    for (std::size_t packet = 0; packet < packets; ++packet) {
-      std::string lengths, data;
-      for (const std::string& stream : scan.streams) {
-        const std::size_t from = stream.size() * packet / packets,
-                          to = stream.size() * (packet + 1) / packets;
-        lengths += rawBytes(static_cast<std::uint16_t>(to - from));
-        data += stream.substr(from, to - from);
-      }
-      const std::size_t length = 6 + lengths.size() + data.size();
-      body +=
-          std::string("\1\0", 2) + rawBytes(static_cast<std::uint16_t>(length - 1)) +
-          rawBytes(static_cast<std::uint16_t>(scan.streams.size())) + lengths + data;
-    }
-    logical += std::string("\1\0\0\0\0\0\0\0", 8) +
-               rawBytes(std::uint64_t{32 + body.size()}) +
-               rawBytes(physical(section + 32)) + rawBytes(std::uint64_t{0}) + body;
-    xml += "<vectorChild><points fileOffset=\"" + std::to_string(physical(section)) +
-           "\" recordCount=\"" + std::to_string(scan.count) + "\"><prototype>" +
-           scan.prototype + "</prototype></points>" + scan.more + "</vectorChild>";
-  }
-  xml += "</data3D></e57Root>";
-  const std::uint64_t at = logical.size();
-  logical += xml;
-  logical.resize((logical.size() + 1019) / 1020 * 1020);
-  const std::string header =
-      "ASTM-E57" + rawBytes(1U) + rawBytes(0U) +
-      rawBytes(std::uint64_t{logical.size() / 1020 * 1024}) + rawBytes(physical(at)) +
-      rawBytes(std::uint64_t{xml.size()}) + rawBytes(std::uint64_t{1024});
-  logical.replace(0, 48, header);
-  std::string file;
-  for (std::size_t page = 0; page < logical.size(); page += 1020) {
-    const std::string content = logical.substr(page, 1020);
-    const std::uint32_t checksum = slowChecksum(content);
-    file += content;
-    for (int shift = 24; shift >= 0; shift -= 8)
-      file.push_back(static_cast<char>(checksum >> shift & 255));
-  }
-  return file;
-}
 
 /** Points (i, 2 i, -i) cm as integers of 13 bits, with colours and an intensity. */
 WrittenScan
@@ -142,22 +50,6 @@ integerScan(std::size_t count)
   }
   for (const BitStream& stream : streams)
     scan.streams.push_back(stream.bytes);
-  return scan;
-}
-
-/** Points of two doubles and a constant. */
-WrittenScan
-scanOf(const std::vector<Eigen::Vector3d>& points, const std::string& more = {})
-{
-  WrittenScan scan;
-  scan.count = points.size();
-  scan.more = more;
-  scan.streams.resize(3);
-  for (const char* name : {"cartesianX", "cartesianY", "cartesianZ"})
-    scan.prototype += std::string("<") + name + R"( type="Float"/>)";
-  for (const Eigen::Vector3d& point : points)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      scan.streams[axis] += rawBytes(point[static_cast<Eigen::Index>(axis)]);
   return scan;
 }
 
@@ -291,6 +183,68 @@ TEST(E57Reader, UglyFilesAreRefusedWithTheirFault)
   EXPECT_EQ(
       loadPointCloud(folder.write("none.e57", e57Of({scanOf({})}))).points().size(),
       0U);
+}
+
+TEST(ScanFile, ScansAreObservationsWithTheirPoses)
+{
+  const TemporaryFolder folder;
+  const std::vector<Eigen::Vector3d> points = {{1, 2, 3}, {4, 5, 6}};
+  const std::string turned =
+      "<pose><rotation><w>0.7071067811865476</w><z>0.7071067811865476"
+      "</z></rotation><translation><x>452000.25</x><y>10</y>"
+      "</translation></pose>";
+  const std::string path = folder.write(
+      "scans.e57", e57Of({scanOf(points, turned), scanOf(points, turned)}));
+  EXPECT_EQ(ScanFile::count(path), 2U);
+  const ScanFile scans(path);
+  const PointCloudFile whole = loadPointCloud(path);
+  EXPECT_EQ(scans.shift(), whole.shift);
+  ASSERT_EQ(scans.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const PointCloudFile scan = scans.load(i);
+    ASSERT_EQ(scan.points().size(), 2U);
+    // right, down and ahead of a scanner that looks along x
+    EXPECT_EQ(scan.points()[0], Eigen::Vector3f(-2, -3, 1));
+    for (std::size_t k = 0; k < 2; ++k)
+      EXPECT_LT((scans.pose(i) * scan.points()[k].cast<double>() -
+                 whole.points()[2 * i + k].cast<double>())
+                    .norm(),
+                1e-4);
+    EXPECT_EQ(scan.sensor_origin, whole.viewpoints[i]);
+  }
+}
+
+TEST(ScanFile, PointsFarFromTheirScannerKeepTheirMillimetres)
+{
+  const TemporaryFolder folder;
+  // exported in a national grid, without poses
+  const std::vector<Eigen::Vector3d> first = {{452300.125, 5411200.5, 310},
+                                              {452301.375, 5411200.5, 310}},
+                                     second = {{452299.003, 5411201.002, 311.001}};
+  const ScanFile scans(
+      folder.write("grid.e57", e57Of({scanOf(first), scanOf(second)})));
+  EXPECT_EQ(scans.shift(), Eigen::Vector3d(452000, 5411000, 0));
+  const auto place = [&](std::size_t scan, std::size_t point) {
+    return (scans.pose(scan) * scans.load(scan).points()[point].cast<double>() +
+            scans.shift())
+        .eval();
+  };
+  EXPECT_LT((place(0, 1) - first[1]).norm(), 1e-4);
+  EXPECT_LT((place(1, 0) - second[0]).norm(), 1e-4);
+}
+
+TEST(ScanFile, ABrokenPageIsNamed)
+{
+  const TemporaryFolder folder;
+  std::string bytes = e57Of({integerScan(150), integerScan(150)});
+  bytes[1024 + 30] = static_cast<char>(~bytes[1024 + 30]);
+  try {
+    const ScanFile scans(folder.write("broken.e57", bytes));
+    ADD_FAILURE();
+  }
+  catch (const InputFileException& error) {
+    EXPECT_THAT(error.what(), HasSubstr("checksum of page 1 is wrong"));
+  }
 }
 
 TEST(E57Reader, FilesOfOthers)

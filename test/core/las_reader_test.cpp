@@ -1,4 +1,5 @@
 #include "cloud_values.h"
+#include "las_file.h"
 #include "temporary_folder.h"
 #include "test_data.h"
 
@@ -17,76 +18,11 @@ namespace {
 
 using testing::HasSubstr;
 
-/** A LAS file as its specification has it, with points at a place. */
-class LasFile {
-public:
-  static constexpr std::size_t points = 5;
-  static constexpr double scale = 0.001; // metres
-
-  LasFile(int minor, int format, const Eigen::Vector3d& place = Eigen::Vector3d::Zero())
-  : place_(place)
-  {
-    constexpr std::array<std::size_t, 11> sizes = {
-        20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
-    record_ = sizes[static_cast<std::size_t>(format)] + 2; // with bytes of the user
-    const std::size_t header = minor == 4 ? 375 : minor == 3 ? 235 : 227;
-    bytes.assign(header + 10, '\0'); // and a gap
-    std::memcpy(bytes.data(), "LASF", 4);
-    set<std::uint8_t>(24, 1);
-    set<std::uint8_t>(25, static_cast<std::uint8_t>(minor));
-    set<std::uint16_t>(94, static_cast<std::uint16_t>(header));
-    set<std::uint32_t>(96, static_cast<std::uint32_t>(bytes.size()));
-    set<std::uint8_t>(104, static_cast<std::uint8_t>(format));
-    set<std::uint16_t>(105, static_cast<std::uint16_t>(record_));
-    set<std::uint32_t>(107, minor == 4 ? 0 : points);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      set(131 + 8 * axis, scale);
-      set(155 + 8 * axis, place_[static_cast<Eigen::Index>(axis)]);
-    }
-    if (minor == 4)
-      set<std::uint64_t>(247, points);
-    first_ = bytes.size();
-    bytes.resize(first_ + points * record_);
-    for (std::size_t i = 0; i < points; ++i)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        set(at(i) + 4 * axis, static_cast<std::int32_t>(1000 * i + axis));
-  }
-
-  template <typename Value>
-  void
-  set(std::size_t offset, Value value)
-  {
-    std::memcpy(&bytes[offset], &value, sizeof value);
-  }
-
-  /** Offset of a point. */
-  std::size_t
-  at(std::size_t point) const
-  {
-    return first_ + point * record_;
-  }
-
-  /** Where a point is. */
-  Eigen::Vector3d
-  position(std::size_t point) const
-  {
-    return place_ +
-           scale * (Eigen::Vector3d::Constant(1000.0 * static_cast<double>(point)) +
-                    Eigen::Vector3d(0, 1, 2));
-  }
-
-  PointCloudFile
-  load(const TemporaryFolder& folder) const
-  {
-    return loadPointCloud(folder.write("cloud.las", bytes));
-  }
-
-  std::string bytes;
-
-private:
-  Eigen::Vector3d place_;
-  std::size_t record_ = 0, first_ = 0;
-};
+PointCloudFile
+loadFrom(const TemporaryFolder& folder, const LasFile& las)
+{
+  return loadPointCloud(folder.write("cloud.las", las.bytes));
+}
 
 TEST(LasReader, AllVersionsAndFormatsHaveTheirPoints)
 {
@@ -95,15 +31,15 @@ TEST(LasReader, AllVersionsAndFormatsHaveTheirPoints)
     for (int format = 0; format <= (minor == 4 ? 10 : 5); ++format) {
       LasFile las(minor, format);
       const std::size_t classification = format < 6 ? 15 : 16;
-      for (std::size_t i = 0; i < LasFile::points; ++i) {
+      for (std::size_t i = 0; i < las.points; ++i) {
         las.set<std::uint16_t>(las.at(i) + 12, static_cast<std::uint16_t>(60000 + i));
         las.set<std::uint8_t>(las.at(i) + classification,
                               static_cast<std::uint8_t>(i + 2));
       }
-      const PointCloudFile file = las.load(folder);
-      ASSERT_EQ(file.points().size(), LasFile::points) << minor << " " << format;
+      const PointCloudFile file = loadFrom(folder, las);
+      ASSERT_EQ(file.points().size(), las.points) << minor << " " << format;
       EXPECT_TRUE(file.shift.isZero(0));
-      for (std::size_t i = 0; i < LasFile::points; ++i) {
+      for (std::size_t i = 0; i < las.points; ++i) {
         EXPECT_LT((file.points()[i].cast<double>() - las.position(i)).norm(), 1e-6);
         EXPECT_EQ(valueOf<float>(file.cloud, "intensity", i),
                   60000.0F + static_cast<float>(i));
@@ -124,10 +60,29 @@ TEST(LasReader, ColoursMayHaveEightBitsOrSixteen)
     for (std::uint16_t c = 0; c < 3; ++c)
       las.set<std::uint16_t>(las.at(1) + 20 + 2 * c,
                              static_cast<std::uint16_t>((10 + c) * unit));
-    const PointCloudFile file = las.load(folder);
+    const PointCloudFile file = loadFrom(folder, las);
     EXPECT_EQ(valueOf<std::uint32_t>(file.cloud, "rgb", 1) & 0xFFFFFF, 0x0A0B0CU)
         << unit;
     EXPECT_EQ(valueOf<std::uint32_t>(file.cloud, "rgb", 0) & 0xFFFFFF, 0U);
+  }
+}
+
+/** The first colour that needs 16 bits is blocks behind those that look like 8 bits. */
+TEST(LasReader, LateColoursOfSixteenBitsAreThoseOfAllPoints)
+{
+  const TemporaryFolder folder;
+  LasFile las(2, 2, Eigen::Vector3d::Zero(), 30000);
+  for (std::size_t i = 0; i < las.points; ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      las.set<std::uint16_t>(las.at(i) + 20 + 2 * c,
+                             static_cast<std::uint16_t>(i < 20000 ? 200 : i + c));
+  const PointCloudFile file = loadFrom(folder, las);
+  for (std::size_t i = 0; i < las.points; ++i) {
+    const auto level = [&](std::size_t c) { return i < 20000 ? 0 : (i + c) >> 8; };
+    ASSERT_EQ(valueOf<std::uint32_t>(file.cloud, "rgb", i) & 0xFFFFFF,
+              level(0) << 16 | level(1) << 8 | level(2))
+        << i;
+    ASSERT_LT((file.points()[i].cast<double>() - las.position(i)).norm(), 2e-3);
   }
 }
 
@@ -135,9 +90,9 @@ TEST(LasReader, NationalGridsKeepTheirMillimetres)
 {
   const TemporaryFolder folder;
   const LasFile las(2, 0, Eigen::Vector3d(635619.25, -5848899.5, 412.125));
-  const PointCloudFile file = las.load(folder);
+  const PointCloudFile file = loadFrom(folder, las);
   EXPECT_EQ(file.shift, Eigen::Vector3d(635000, -5849000, 0));
-  for (std::size_t i = 0; i < LasFile::points; ++i)
+  for (std::size_t i = 0; i < las.points; ++i)
     EXPECT_LT((file.points()[i].cast<double>() + file.shift - las.position(i)).norm(),
               2e-4);
   ASSERT_EQ(file.remarks.size(), 1U);
@@ -152,7 +107,7 @@ TEST(LasReader, UglyFilesAreRefusedWithTheirFault)
   const TemporaryFolder folder;
   const auto expectFault = [&](const LasFile& las, const char* fault) {
     try {
-      las.load(folder);
+      loadFrom(folder, las);
       ADD_FAILURE() << fault;
     }
     catch (const InputFileException& error) {
@@ -192,7 +147,7 @@ TEST(LasReader, UglyFilesAreRefusedWithTheirFault)
   for (std::size_t size : {0, 3, 100, 226, 240, 260}) {
     las = LasFile(2, 0);
     las.bytes.resize(size);
-    EXPECT_THROW(las.load(folder), InputFileException) << size;
+    EXPECT_THROW(loadFrom(folder, las), InputFileException) << size;
   }
   EXPECT_THROW(loadPointCloud(folder.write("cloud.laz", LasFile(2, 0).bytes)),
                InputFileException);

@@ -134,7 +134,7 @@ TEST(MeshFile, refusesWrongArgumentsAndWritesNothing)
   EXPECT_THROW(saveTriangleMesh(path, bad.cloud, good.mesh), BadArgumentException);
   bad.cloud.fields.erase(bad.cloud.fields.begin());
   EXPECT_THROW(saveTriangleMesh(path, bad.cloud, good.mesh), BadArgumentException);
-  EXPECT_THROW(saveTriangleMesh(path, {}, {}), BadArgumentException);
+  EXPECT_THROW(saveTriangleMesh(path, PCLPointCloud2(), {}), BadArgumentException);
   EXPECT_THROW(saveTriangleMesh(folder.path("a.stl"), good.cloud, good.mesh),
                OutputFileException);
   EXPECT_EQ(folder.count(), 0);

@@ -6,7 +6,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-using Triangles = std::vector<TriangleMesh::Triangle>;
+using Triangles = TriangleMesh::Triangles;
 
 Vertices
 polygonOf(const Indices& corners)

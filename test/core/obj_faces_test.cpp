@@ -15,7 +15,7 @@ const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 class ObjFaces : public testing::Test {
 protected:
-  std::vector<Triangle>
+  TriangleMesh::Triangles
   load(const std::string& text) const
   {
     return loadTriangleMesh(folder_.write("in.obj", text)).triangles;
@@ -27,7 +27,7 @@ protected:
 TEST_F(ObjFaces, PolygonsAreFans)
 {
   EXPECT_EQ(load("# a square\n" + vertices + "f 1 2 3 4 # all\nf 1 2\n"),
-            (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+            (TriangleMesh::Triangles{{0, 1, 2}, {0, 2, 3}}));
 }
 
 TEST_F(ObjFaces, TexturesAndNormalsArePassedOver)
@@ -35,7 +35,7 @@ TEST_F(ObjFaces, TexturesAndNormalsArePassedOver)
   EXPECT_EQ(
       load("mtllib a.mtl\nvn 0 0 1\nvt 0 0\n" + vertices +
            "g wall\ns off\nf 1/1 2/1 3/1\nf 1//1 3//1 4//1\nf 2/1/1 3/1/1 4/1/1\n"),
-      (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {1, 2, 3}}));
+      (TriangleMesh::Triangles{{0, 1, 2}, {0, 2, 3}, {1, 2, 3}}));
 }
 
 TEST_F(ObjFaces, MaterialsAreNeverOpened)
@@ -46,18 +46,18 @@ TEST_F(ObjFaces, MaterialsAreNeverOpened)
        {folder_.path("pipe"), std::string("pipe"), std::string("../../etc/passwd")})
     EXPECT_EQ(
         load("mtllib " + name + "\nusemtl ../" + name + "\n" + vertices + "f 1 2 3\n"),
-        (std::vector<Triangle>{{0, 1, 2}}));
+        (TriangleMesh::Triangles{{0, 1, 2}}));
 }
 
 TEST_F(ObjFaces, NegativeCornersCountFromTheLastVertex)
 {
   EXPECT_EQ(load("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -4 -2 -1\n"),
-            (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+            (TriangleMesh::Triangles{{0, 1, 2}, {0, 2, 3}}));
 }
 
 TEST_F(ObjFaces, FacesMayStandAboveTheirVertices)
 {
-  EXPECT_EQ(load("f 1 2 3\n" + vertices), (std::vector<Triangle>{{0, 1, 2}}));
+  EXPECT_EQ(load("f 1 2 3\n" + vertices), (TriangleMesh::Triangles{{0, 1, 2}}));
 }
 
 TEST_F(ObjFaces, NoFacesIsAnEmptyMesh)

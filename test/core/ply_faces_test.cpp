@@ -41,7 +41,7 @@ TEST_F(PlyFaces, TextWithPolygonsAsFans)
 {
   const TriangleMesh mesh =
       load(header("ascii", "3") + text_vertices + "3 0 1 2\n4 3 2 1 0\n2 0 1\n");
-  EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {3, 2, 1}, {3, 1, 0}}));
+  EXPECT_EQ(mesh.triangles, (TriangleMesh::Triangles{{0, 1, 2}, {3, 2, 1}, {3, 1, 0}}));
 }
 
 TEST_F(PlyFaces, BothByteOrders)
@@ -51,7 +51,7 @@ TEST_F(PlyFaces, BothByteOrders)
   for (const std::string& text :
        {header("binary_little_endian", "1") + binary_vertices + little,
         header("binary_big_endian", "1") + binary_vertices + big})
-    EXPECT_EQ(load(text).triangles, (std::vector<Triangle>{{0, 1, 2}}));
+    EXPECT_EQ(load(text).triangles, (TriangleMesh::Triangles{{0, 1, 2}}));
 }
 
 TEST_F(PlyFaces, OtherPropertiesArePassedOver)
@@ -61,12 +61,12 @@ TEST_F(PlyFaces, OtherPropertiesArePassedOver)
                                  "vertex_index\nproperty double quality\n";
   const TriangleMesh text = load(header("ascii", "1", properties) + text_vertices +
                                  "7 2 .5 .5 3 3 1 0 0.25\n");
-  EXPECT_EQ(text.triangles, (std::vector<Triangle>{{3, 1, 0}}));
+  EXPECT_EQ(text.triangles, (TriangleMesh::Triangles{{3, 1, 0}}));
   const std::string row("\7\1\0\0\0\0\3\3\0\1\0\0\0\0\0\0\0\0\0\0\0", 21);
   EXPECT_EQ(
       load(header("binary_little_endian", "1", properties) + binary_vertices + row)
           .triangles,
-      (std::vector<Triangle>{{3, 1, 0}}));
+      (TriangleMesh::Triangles{{3, 1, 0}}));
 }
 
 TEST_F(PlyFaces, NoFacesIsAnEmptyMesh)
@@ -135,7 +135,7 @@ TEST_F(PlyFaces, GivesEachTriangleOfAPolygonItsWallDepth)
                              first + " 4 0 1 2 3\n" + second + " 3 0 1 2\n");
   };
   EXPECT_EQ(loadTriangleMesh(withDepths("7", "255")).wall_depth,
-            (std::vector<std::uint8_t>{7, 7, TriangleMesh::no_wall}));
+            (LargeVector<std::uint8_t>{7, 7, TriangleMesh::no_wall}));
   for (const char* depth : {"256", "-1", "0.5", "nan"})
     EXPECT_THROW(loadTriangleMesh(withDepths("0", depth)), InputFileException) << depth;
 }
@@ -308,7 +308,7 @@ TEST_F(PlyFaces, NegativeCornersOfAByteAreRefusedAmongManyVertices)
                            std::string(300, '\1');
   EXPECT_THROW(load(text + "\3\x01\x02\xc8"), InputFileException);
   EXPECT_EQ(load(text + "\3\x01\x02\x78").triangles,
-            (std::vector<Triangle>{{1, 2, 120}}));
+            (TriangleMesh::Triangles{{1, 2, 120}}));
 }
 
 } // namespace

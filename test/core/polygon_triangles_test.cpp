@@ -309,8 +309,7 @@ TEST(PolygonTriangles, DegenerateOnesAreEmpty)
 /** Number of positions of a grid over 0 to 20 that are covered more than once, or are
  * covered although they are outside the outline or in a hole. */
 int
-badlyCovered(const PlanePolygon& polygon,
-             const std::vector<TriangleMesh::Triangle>& triangles)
+badlyCovered(const PlanePolygon& polygon, const TriangleMesh::Triangles& triangles)
 {
   const auto windings = [](const Loop& loop, double x, double y) {
     int count = 0;

@@ -29,14 +29,23 @@ emptyFolder(const char* name)
   return folder;
 }
 
-/** Bytes of mapped files in memory. */
-std::size_t
-residentFiles()
+struct Resident {
+  std::size_t all, files; ///< bytes of this process, and those of mapped files
+};
+
+Resident
+residentNow()
 {
   std::ifstream table("/proc/self/statm");
   std::size_t size = 0, resident = 0, of_files = 0;
   table >> size >> resident >> of_files;
-  return 4096 * of_files;
+  return {4096 * resident, 4096 * of_files};
+}
+
+std::size_t
+residentFiles()
+{
+  return residentNow().files;
 }
 
 /** The thread that limits it may have to wait for a processor. */
@@ -89,6 +98,23 @@ TEST(ScratchMemory, KeepsWhatIsTakenOutOfMemory)
   EXPECT_EQ(countWrong(second), 0u);
 }
 
+TEST(ScratchMemory, LetsFilesHaveWhatTheProcessLeaves)
+{
+  const auto [all, before] = residentNow();
+  const ScratchMemory scratch(
+      emptyFolder("scratch_process"), least_resident, all + 128 * mega);
+  const LargeVector<std::uint64_t> first = filled(64 * mega);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_GT(residentFiles(), before + 60 * mega); // nothing was taken out
+  const LargeVector<std::uint64_t> second = filled(128 * mega);
+  EXPECT_TRUE(becomesLess([] { return residentFiles(); }, before + 130 * mega));
+  const std::vector<char> others(160 * mega, 1);
+  EXPECT_EQ(countWrong(first), 0u);
+  EXPECT_TRUE(becomesLess([] { return residentFiles(); }, before + 2 * least_resident));
+  EXPECT_EQ(countWrong(second), 0u);
+  EXPECT_EQ(others.back(), 1);
+}
+
 TEST(ScratchMemory, LeavesNoFileAndNoMappingBehind)
 {
   const std::string folder = emptyFolder("scratch_leaves");
@@ -113,7 +139,7 @@ TEST(ScratchMemory, TakesOnlyLargeArraysWhileItExists)
     {
       const ScratchMemory inner(folder, least_resident);
       longer_lived = filled(8 * mega);
-      const LargeVector<std::uint64_t> small = filled(mega);
+      const LargeVector<std::uint64_t> small = filled(mega / 8);
       EXPECT_EQ(inner.getBytes(), 8 * mega);
       EXPECT_EQ(outer.getBytes(), 0u);
     }

@@ -8,7 +8,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-using Triangles = std::vector<TriangleMesh::Triangle>;
+using Triangles = TriangleMesh::Triangles;
 
 void
 compareWithBruteForce(std::size_t vertices, const Triangles& triangles)

@@ -84,7 +84,7 @@ refineOnSphere(VotingMesh& mesh)
     }
     return found->second;
   };
-  std::vector<Triangle> finer;
+  TriangleMesh::Triangles finer;
   for (const auto& [a, b, c] : mesh.faces.triangles) {
     const std::int32_t ab = middleOf(a, b), bc = middleOf(b, c), ca = middleOf(c, a);
     finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});

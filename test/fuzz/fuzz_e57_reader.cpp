@@ -24,5 +24,5 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   return pcl::acmap::test::readFuzzed(
       reinterpret_cast<const std::uint8_t*>(file.data()),
       file.size(),
-      pcl::acmap::readE57);
+      [](pcl::acmap::ByteSource& source) { return pcl::acmap::readE57(source); });
 }

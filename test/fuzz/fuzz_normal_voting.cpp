@@ -37,7 +37,7 @@ struct VotingTask {
 
 VotedNormals
 vote(const VotingTask& task,
-     const std::vector<TriangleMesh::Triangle>& triangles,
+     const TriangleMesh::Triangles& triangles,
      VotingReport& report)
 {
   return voteNormals(viewOf(task.mesh.points),
@@ -131,7 +131,7 @@ void
 requireSameOfUsable(const VotingTask& task, const VotedNormals& found)
 {
   const std::vector<Eigen::Vector3f>& points = task.mesh.points;
-  std::vector<TriangleMesh::Triangle> usable;
+  TriangleMesh::Triangles usable;
   for (const TriangleMesh::Triangle& t : task.mesh.triangles)
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0] && points[t[0]].allFinite() &&
         points[t[1]].allFinite() && points[t[2]].allFinite())

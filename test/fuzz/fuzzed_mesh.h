@@ -11,7 +11,7 @@ namespace pcl::acmap::test {
  * triples of points. */
 struct FuzzedMesh {
   std::vector<Eigen::Vector3f> points;
-  std::vector<TriangleMesh::Triangle> triangles;
+  TriangleMesh::Triangles triangles;
 
   FuzzedMesh(FuzzedBytes& bytes, const PointStyle& style, std::size_t max_points);
 };

@@ -10,6 +10,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cstring>
 #include <filesystem>
 
 namespace pcl::acmap::test {
@@ -86,6 +87,90 @@ TEST_F(RgbdFolders, OfTumAreListed)
   EXPECT_THROW(open(settings), EmptyInputException) << "colour is 4 ms later";
 }
 
+/** A matrix as Open3D writes its cameras. */
+constexpr const char* open3d_camera = "{\n\t\"height\" : 6,\n\t\"intrinsic_matrix\" : "
+                                      "\n\t[\n\t\t10.0,\n\t\t0.0,\n\t\t0.0,\n"
+                                      "\t\t0.0,\n\t\t20.0,\n\t\t0.0,\n\t\t3.5,\n\t\t2."
+                                      "5,\n\t\t1.0\n\t],\n\t\"width\" : 8\n}\n";
+
+/** Frames without leading zeros, so that 10 is before 9 as text. */
+void
+writeOpen3d(const TemporaryFolder& folder, const std::string& colors, int frames)
+{
+  std::filesystem::create_directory(folder.path(colors));
+  std::filesystem::create_directory(folder.path("depth"));
+  std::string log;
+  for (int frame = 0; frame < frames; ++frame) {
+    const std::string name = "/" + std::to_string(frame) + ".png";
+    folder.write(colors + name, textOfBytes(encodePng(tellingColors(frame))));
+    folder.write("depth" + name,
+                 depthPngBytes(small_width, small_height, tellingDepths(frame)));
+    const std::string number = std::to_string(frame);
+    log += number + "\t" + number + "\t" + std::to_string(frame + 1) + "\n" +
+           matrixText(posedAt(frame).matrix());
+  }
+  folder.write("trajectory.log", log);
+  folder.write("camera_intrinsic.json", open3d_camera);
+}
+
+TEST_F(RgbdFolders, OfOpen3dAreListed)
+{
+  writeOpen3d(folder_, "color", 12);
+  const RgbdSequence sequence = open();
+  EXPECT_EQ(sequence.layout, "Open3D");
+  EXPECT_THAT(sequence.remarks, IsEmpty());
+  EXPECT_TRUE(sequence.is_registered);
+  ASSERT_EQ(sequence.frames.size(), 12U);
+  EXPECT_TRUE(loadPose(sequence.frames[10]).isApprox(posedAt(10), 1e-12));
+  const RgbdCameras cameras = sequence.cameras();
+  EXPECT_EQ(cameras.depth.fx, 10);
+  EXPECT_EQ(cameras.depth.fy, 20);
+  EXPECT_EQ(cameras.depth.cx, 3.5);
+  EXPECT_EQ(cameras.depth.cy, 2.5);
+  const RgbdObservation seen = loadRgbdObservation(sequence.frames[10], cameras);
+  float z = 0;
+  std::memcpy(&z, &seen.cloud.data[5 * seen.cloud.point_step + 8], sizeof z);
+  EXPECT_FLOAT_EQ(z, 0.001F * static_cast<float>(tellingDepths(10)[5]))
+      << "millimetres";
+}
+
+TEST_F(RgbdFolders, OfOpen3dMayHaveGaps)
+{
+  writeOpen3d(folder_, "image", 4);
+  std::filesystem::remove(folder_.path("image/1.png"));
+  std::filesystem::remove(folder_.path("camera_intrinsic.json"));
+  const RgbdSequence sequence = open();
+  EXPECT_EQ(sequence.unmatched, 1U);
+  ASSERT_EQ(sequence.frames.size(), 3U);
+  // by the number before its matrix
+  EXPECT_TRUE(loadPose(sequence.frames[1]).isApprox(posedAt(2), 1e-12));
+  EXPECT_EQ(sequence.camera.fx, 525);
+  EXPECT_THAT(sequence.remarks, ElementsAre(HasSubstr("took Open3D's")));
+}
+
+TEST_F(RgbdFolders, OfOpen3dThatAreUglyAreRefused)
+{
+  writeOpen3d(folder_, "rgb", 2);
+  const auto fault = [&] { return faultOf([&] { open(); }); };
+  folder_.write("camera_intrinsic.json", R"({"intrinsic_matrix": [1, 2]})");
+  EXPECT_THAT(fault(), HasSubstr("camera_intrinsic.json"));
+  folder_.write("camera_intrinsic.json", open3d_camera);
+  folder_.write("trajectory.log", "0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n");
+  EXPECT_THAT(fault(), HasSubstr("trajectory.log: has 4 rows"));
+  folder_.write("trajectory.log", "0 0 1\n1 0 0 0\n0 2 0 0\n0 0 1 0\n0 0 0 1\n");
+  EXPECT_THAT(fault(), HasSubstr("line 2: is no rigid motion"));
+  folder_.write("trajectory.log", "0 0 1\n1 0 0 0\n0 1 0\n0 0 1 0\n0 0 0 1\n");
+  EXPECT_THAT(fault(), HasSubstr("line 3: has 3 numbers"));
+  std::filesystem::remove(folder_.path("trajectory.log"));
+  EXPECT_THAT(fault(), HasSubstr("trajectory.log: is missing"));
+  EXPECT_EQ(open(withoutPoses()).frames.size(), 2U);
+  std::filesystem::rename(folder_.path("rgb/1.png"), folder_.path("rgb/b.png"));
+  std::filesystem::rename(folder_.path("rgb/0.png"), folder_.path("rgb/a.png"));
+  EXPECT_EQ(open(withoutPoses()).frames[1].color, folder_.path("rgb/b.png"));
+  std::filesystem::remove(folder_.path("rgb/a.png"));
+  EXPECT_THAT(faultOf([&] { open(withoutPoses()); }), HasSubstr("whose names differ"));
+}
+
 TEST_F(RgbdFolders, AreRecognizedByTheirNames)
 {
   EXPECT_FALSE(isRgbdFolder(folder_.path("")));
@@ -95,7 +180,7 @@ TEST_F(RgbdFolders, AreRecognizedByTheirNames)
   std::filesystem::create_directory(folder_.path("color"));
   std::filesystem::create_directory(folder_.path("depth"));
   EXPECT_TRUE(isRgbdFolder(folder_.path(""))) << "Open3D's layout";
-  EXPECT_THAT(faultOf([&] { open(); }), HasSubstr("its images are not listed"));
+  EXPECT_THROW(open(), EmptyInputException);
   folder_.write("cloud.PCD", "");
   EXPECT_THAT(faultOf([&] { open(); }), HasSubstr("looked for rgb.txt"));
   writeSevenScenes(folder_, 1);

@@ -175,6 +175,18 @@ class Room(MapTest):
         self.expect_equal(read, self.map)
         self.assertIsNone(read.report)
 
+    def test_the_shift_of_coordinates_is_saved(self):
+        self.assertEqual(self.map.shift.dtype, numpy.float64)
+        self.assertEqual(self.map.shift.tolist(), [0, 0, 0])
+        with tempfile.TemporaryDirectory() as folder:
+            self.map.save(folder)
+            read = acmap.read_map(folder)
+            read.shift[:] = 452000, -5849000, 0
+            read.save(folder)
+            again = acmap.read_map(folder)
+        self.assertEqual(again.shift.tolist(), [452000, -5849000, 0])
+        self.assertEqual(self.map.shift.tolist(), [0, 0, 0])
+
     def test_topology_has_the_points_of_the_polygons_once(self):
         topology = self.map.topology
         self.assertEqual(topology.vertices.dtype, numpy.float32)

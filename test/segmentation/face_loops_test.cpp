@@ -13,7 +13,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-using Triangles = std::vector<TriangleMesh::Triangle>;
+using Triangles = TriangleMesh::Triangles;
 
 /** A grid of squares, of which those selected by a function are split into two
  * triangles. */

@@ -177,7 +177,7 @@ TEST(FitSums, haveACovarianceWithoutNegativeVariances)
   board.add({0, 0, 0}, x, 10, y, 10);
   const PlanePatch patch = board.known().planes[0].patch;
   for (const float far : {1e3F, 1e5F, 1e7F}) {
-    std::vector<labeling::FitSums> clusters(8);
+    LargeVector<labeling::FitSums> clusters(8);
     labeling::FitSums sums;
     for (int i = 0; i < 80; ++i) {
       const float along = i % 7 == 0 ? far : static_cast<float>(i);

@@ -12,7 +12,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-using Points = std::vector<Eigen::Vector3d>;
+using Points = LargeVector<Eigen::Vector3d>;
 
 std::vector<std::int32_t>
 nearestByComparison(const Points& points,

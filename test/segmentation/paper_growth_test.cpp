@@ -78,7 +78,7 @@ Grown
 growByKernel(const NaiveHypotheses& all,
              const NaiveThresholds& limits,
              const std::vector<float>& curvatures = {},
-             const std::vector<TriangleMesh::Triangle>& triangles = {},
+             const TriangleMesh::Triangles& triangles = {},
              const Progress& progress = Progress())
 {
   std::vector<Eigen::Vector3f> points;
@@ -129,7 +129,7 @@ std::size_t
 compareWithNaive(const NaiveHypotheses& all,
                  const NaiveThresholds& limits,
                  const std::vector<float>& curvatures = {},
-                 const std::vector<TriangleMesh::Triangle>& triangles = {})
+                 const TriangleMesh::Triangles& triangles = {})
 {
   std::vector<std::int32_t> order(all.points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -234,7 +234,7 @@ TEST(PaperGrowth, isTheNaiveOneWithAMesh)
 {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const NaiveHypotheses all = makeRoomHypotheses(seed);
-    std::vector<TriangleMesh::Triangle> triangles;
+    TriangleMesh::Triangles triangles;
     const auto size = static_cast<std::int32_t>(all.points.size());
     for (std::int32_t i = 0; i + 2 < size; ++i)
       triangles.push_back({i, i + 1, i + 2});

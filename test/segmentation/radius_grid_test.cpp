@@ -10,7 +10,7 @@
 namespace pcl::acmap::test {
 namespace {
 
-using Points = std::vector<Eigen::Vector3d>;
+using Points = LargeVector<Eigen::Vector3d>;
 
 Points
 makePoints(std::size_t size, double extent, const Eigen::Vector3d& middle)

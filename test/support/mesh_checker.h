@@ -13,7 +13,7 @@
 namespace pcl::acmap::test {
 
 using Triangle = TriangleMesh::Triangle;
-using Triangles = std::vector<Triangle>;
+using Triangles = TriangleMesh::Triangles;
 
 /** \brief Size constraint: is an edge between two points allowed? */
 using EdgeAllowed = std::function<bool(std::int32_t, std::int32_t)>;

@@ -20,7 +20,7 @@ class EdgesAndFans : public VariantTest {};
 std::unique_ptr<PointTree>
 treeOfRing(std::int32_t points)
 {
-  std::vector<SourcePoint> all{{{0, 0, 0}, 0}};
+  SourcePoints all{{{0, 0, 0}, 0}};
   for (std::int32_t i = 1; i < points; ++i) {
     const double angle = 2 * 3.14159265358979323846 * i / points;
     all.push_back({{static_cast<float>(std::cos(angle)),

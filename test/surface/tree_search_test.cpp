@@ -23,7 +23,7 @@ class TreeSearch : public VariantTest {};
 std::unique_ptr<PointTree>
 treeOf(const Cloud& cloud)
 {
-  std::vector<SourcePoint> points;
+  SourcePoints points;
   for (std::size_t i = 0; i < cloud.size(); ++i)
     points.push_back(
         {{cloud[i].x, cloud[i].y, cloud[i].z}, static_cast<std::int32_t>(i)});

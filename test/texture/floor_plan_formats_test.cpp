@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 
 namespace pcl::acmap::test {
 namespace {
@@ -112,6 +113,29 @@ TEST(FloorPlanFormats, FeaturesAreReadByGdal)
       kinds.at("door")[0]->IsFieldNull(kinds.at("door")[0]->GetFieldIndex("top")));
   EXPECT_EQ(kinds.at("window")[0]->GetFieldAsDouble("top"), 2.1);
   EXPECT_EQ(kinds.at("room")[0]->GetFieldAsDouble("area"), 12);
+}
+
+TEST(FloorPlanFormats, PlacesOfANationalGridComeBack)
+{
+  const TemporaryFolder folder;
+  FloorPlan plan = planOfARoom();
+  plan.y_axis = Eigen::Vector3d::UnitY();
+  plan.up = Eigen::Vector3d::UnitZ();
+  plan.shift << 452000, 5411000, 300;
+  const Vector2d offset(452000, 5411000);
+  for (const auto& [name, field, kind] :
+       {std::tuple("plan.dxf", "Layer", "WALLS"), {"plan.geojson", "kind", "wall"}}) {
+    saveFloorPlan(folder.path(name), plan);
+    const auto features = readByGdal(folder.path(name), field);
+    ASSERT_EQ(features.at(kind).size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i)
+      expectLine(*features.at(kind)[i],
+                 plan.walls[i].from + offset,
+                 plan.walls[i].to + offset);
+  }
+  saveFloorPlan(folder.path("plan.svg"), plan);
+  EXPECT_THAT(contentOf(folder.path("plan.svg")),
+              testing::HasSubstr("is at 452000.000 5411000.000</desc>"));
 }
 
 TEST(FloorPlanFormats, AnEmptyPlanIsReadable)

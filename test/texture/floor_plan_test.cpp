@@ -106,6 +106,17 @@ expectGraph(const FloorPlan& plan)
   EXPECT_NEAR(plan.openings[1].top, 2, 1e-5);
 }
 
+double
+areaOf(const std::vector<Eigen::Vector2d>& loop)
+{
+  double twice = 0;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Eigen::Vector2d &a = loop[k], &b = loop[(k + 1) % loop.size()];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return twice / 2;
+}
+
 void
 expectRooms(const FloorPlan& plan)
 {
@@ -115,6 +126,11 @@ expectRooms(const FloorPlan& plan)
   EXPECT_NEAR(plan.rooms[0].seen_area, 11, 0.15);
   EXPECT_NEAR(plan.rooms[1].area, 6, 0.15);
   EXPECT_NEAR(plan.rooms[1].seen_area, 6, 0.15);
+  for (const PlanRoom& room : plan.rooms) {
+    EXPECT_NEAR(areaOf(room.outline), room.area, 0.3); // counter-clockwise
+    EXPECT_GE(room.outline.size(), 4U);
+    EXPECT_LE(room.outline.size(), 8U);
+  }
   ASSERT_EQ(plan.openings.size(), 3U); // the window, and the door on both sides
   EXPECT_NEAR(lengthOf(plan.openings[0]), 1.2, 1e-5);
   EXPECT_TRUE(plan.openings[0].is_window);
@@ -264,6 +280,18 @@ TEST(FloorPlan, IsAlignedWithTheWalls)
     EXPECT_NEAR((wall.to - wall.from).cwiseAbs().minCoeff(), 0, 1e-5);
   EXPECT_GT(plan.x_axis.x(), 0.8);
   EXPECT_TRUE(plan.y_axis.isApprox(plan.up.cross(plan.x_axis), 1e-9));
+}
+
+TEST(FloorPlan, KeepsTheGridOfAShiftedMap)
+{
+  const Eigen::Isometry3d turn(Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitY()));
+  CompactMap map = moved(makeRooms(), turn);
+  map.shift << 1000, 0, 5000;
+  const FloorPlan plan = makeFloorPlan(map);
+  expectRooms(plan);
+  EXPECT_EQ(plan.shift, map.shift);
+  EXPECT_EQ(plan.x_axis, Eigen::Vector3d(Eigen::Vector3d::UnitX()));
+  EXPECT_EQ(plan.up, Eigen::Vector3d(-Eigen::Vector3d::UnitY()));
 }
 
 /** A cupboard hides a part of the wall, so that the wall has a gap at the section. */

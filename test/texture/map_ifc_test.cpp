@@ -91,6 +91,7 @@ TEST(MapIfc, HasTheElementsOfARoom)
   EXPECT_EQ(found.count("IFCSLAB"), floors);
   EXPECT_EQ(found.count("IFCCOVERING"), ceilings);
   EXPECT_EQ(found.count("IFCSPACE"), map.rooms.size());
+  EXPECT_EQ(found.count("IFCEXTRUDEDAREASOLID"), map.rooms.size());
   EXPECT_EQ(found.count("IFCTRIANGULATEDFACESET"), map.planes.size());
   EXPECT_EQ(found.count("IFCPROPERTYSET"), map.planes.size());
   EXPECT_EQ(found.count("IFCPROJECT"), 1U);

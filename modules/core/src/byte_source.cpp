@@ -29,11 +29,12 @@ ByteSource::ByteSource(const std::string& path)
   descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor_ < 0)
     fail(std::strerror(errno));
-  unread_ = static_cast<std::uint64_t>(status.st_size);
+  size_ = unread_ = static_cast<std::uint64_t>(status.st_size);
 }
 
 ByteSource::ByteSource(std::string name, const void* data, std::size_t size)
 : name_(std::move(name))
+, size_(size)
 , window_(static_cast<const char*>(data))
 , window_end_(window_ + size)
 {
@@ -111,6 +112,22 @@ ByteSource::skip(std::uint64_t bytes)
   if (far > 0 && ::lseek(descriptor_, static_cast<off_t>(far), SEEK_CUR) < 0)
     fail(std::strerror(errno));
   unread_ -= far;
+}
+
+void
+ByteSource::moveTo(std::uint64_t offset)
+{
+  if (offset > size_)
+    fail("ends before byte " + std::to_string(offset));
+  line_ = 0;
+  if (descriptor_ < 0) {
+    window_ = window_end_ - (size_ - offset);
+    return;
+  }
+  if (::lseek(descriptor_, static_cast<off_t>(offset), SEEK_SET) < 0)
+    fail(std::strerror(errno));
+  window_ = window_end_ = buffer_.get();
+  unread_ = size_ - offset;
 }
 
 std::string_view

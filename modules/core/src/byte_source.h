@@ -32,6 +32,19 @@ public:
   ByteSource&
   operator=(const ByteSource&) = delete;
 
+  const std::string&
+  name() const
+  {
+    return name_;
+  }
+
+  /** \brief Number of bytes from the beginning to the end. */
+  std::uint64_t
+  size() const
+  {
+    return size_;
+  }
+
   /** \brief Number of bytes from the current position to the end. */
   std::uint64_t
   remaining() const
@@ -44,6 +57,11 @@ public:
 
   void
   skip(std::uint64_t bytes);
+
+  /** \brief Continues at an offset from the beginning; lines are no longer counted.
+   * \param[in] offset at most the size of the source */
+  void
+  moveTo(std::uint64_t offset);
 
   /** \brief Returns the bytes that follow, without moving on: at least \a minimum of
    * them, fewer at the end of the source. Valid until the next call.
@@ -84,6 +102,7 @@ private:
 
   std::string name_;
   int descriptor_ = -1;
+  std::uint64_t size_ = 0;
   std::uint64_t unread_ = 0; // number of bytes of the file after the window
   std::unique_ptr<char[]> buffer_;
   const char* window_ = nullptr;

@@ -127,8 +127,10 @@ requirePoints(const CloudRows& rows, const Indices* indices)
                         "the cloud has fewer bytes than its " << rows.size()
                                                               << " points");
   if (!indices)
-    return {
-        rows.size() ? rows.data() + x->offset : nullptr, cloud.point_step, rows.size()};
+    return {rows.size() ? rows.data() + x->offset : nullptr,
+            cloud.point_step,
+            rows.size(),
+            rows.shares().get()};
   for (const index_t index : *indices)
     if (index < 0 || static_cast<std::size_t>(index) >= rows.size())
       PCL_THROW_EXCEPTION(InitFailedException,

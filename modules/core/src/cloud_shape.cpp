@@ -25,14 +25,6 @@ refusePoints(std::uint64_t points, const std::string& size, const ByteSource& so
               std::to_string(source.remaining()) + " bytes follow");
 }
 
-void
-requireCountable(std::uint64_t points, const ByteSource& source)
-{
-  if (points > max_points)
-    source.fail("holds " + std::to_string(points) + " points; an index counts " +
-                std::to_string(max_points) + " at most");
-}
-
 /** \brief Whether no coordinate of a block is infinite or NaN, without a branch per
  * value: only then all bits of the exponent are set, and adding its least one carries
  * into the bit of the sign. */
@@ -65,6 +57,14 @@ largestOf(const PointView& points)
 }
 
 } // namespace
+
+void
+requireCountable(std::uint64_t points, const ByteSource& source)
+{
+  if (points > max_points)
+    source.fail("holds " + std::to_string(points) + " points; an index counts " +
+                std::to_string(max_points) + " at most");
+}
 
 void
 requirePointsFit(std::uint64_t points, std::uint64_t bytes, const ByteSource& source)

@@ -2,6 +2,7 @@
 
 #include "byte_source.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -58,40 +59,79 @@ e57Checksum(const char* bytes, std::size_t count)
 }
 
 E57Pages::E57Pages(ByteSource& source)
+: source_(source)
+, page_(static_cast<std::uint64_t>(-1))
 {
   constexpr std::size_t header = 48;
-  if (source.remaining() < page_size)
+  if (source.size() < page_size)
     source.fail("is shorter than a page of an E57 file");
   if (source.ahead(8).substr(0, 8) != "ASTM-E57")
     source.fail("is no E57 file: it does not begin with ASTM-E57");
-  if (source.remaining() % page_size != 0)
+  if (source.size() % page_size != 0)
     source.fail("is truncated: E57 files have whole pages of 1024 bytes");
-  std::array<char, page_size> page{};
-  bytes_.reserve(source.remaining() / page_size * content_size);
-  for (std::size_t number = 0; source.remaining() > 0; ++number) {
-    source.read(page.data(), page_size);
-    if (e57Checksum(page.data(), content_size) != storedChecksum(page.data()))
-      source.fail("is damaged: the checksum of page " + std::to_string(number) +
-                  " is wrong");
-    bytes_.append(page.data(), content_size);
-  }
-  static_assert(header <= content_size);
-  if (numberAt(bytes_, 40) != page_size)
-    source.fail("has pages of " + std::to_string(numberAt(bytes_, 40)) +
+  if (const std::uint64_t bytes = numberAt(read(0, header), 40); bytes != page_size)
+    source.fail("has pages of " + std::to_string(bytes) +
                 " bytes, those of 1024 are read");
-  const std::uint64_t begin = logical(numberAt(bytes_, 24), source),
-                      length = numberAt(bytes_, 32);
-  if (begin > bytes_.size() || length > bytes_.size() - begin)
-    source.fail("has its XML beyond its end");
-  xml_ = bytes_.substr(begin, length);
+}
+
+void
+E57Pages::requireChecksums()
+{
+  std::array<char, page_size> page{};
+  source_.moveTo(0);
+  for (std::size_t number = 0; source_.remaining() > 0; ++number) {
+    source_.read(page.data(), page_size);
+    if (e57Checksum(page.data(), content_size) != storedChecksum(page.data()))
+      source_.fail("is damaged: the checksum of page " + std::to_string(number) +
+                   " is wrong");
+  }
+}
+
+std::string
+E57Pages::xml()
+{
+  const std::string header = read(0, 48);
+  const std::uint64_t begin = logical(numberAt(header, 24)),
+                      length = numberAt(header, 32);
+  if (begin > size() || length > size() - begin)
+    source_.fail("has its XML beyond its end");
+  return read(begin, length);
 }
 
 std::uint64_t
-E57Pages::logical(std::uint64_t physical, const ByteSource& source)
+E57Pages::size() const
+{
+  return source_.size() / page_size * content_size;
+}
+
+std::string
+E57Pages::read(std::uint64_t offset, std::uint64_t count)
+{
+  std::string bytes;
+  bytes.reserve(count);
+  while (bytes.size() < count) {
+    const std::uint64_t page = (offset + bytes.size()) / content_size,
+                        within = (offset + bytes.size()) % content_size;
+    if (page != page_) {
+      if (source_.size() - source_.remaining() != page * page_size)
+        source_.moveTo(page * page_size);
+      content_.resize(page_size);
+      page_ = page;
+      source_.read(content_.data(), page_size);
+    }
+    bytes.append(content_,
+                 within,
+                 std::min<std::uint64_t>(count - bytes.size(), content_size - within));
+  }
+  return bytes;
+}
+
+std::uint64_t
+E57Pages::logical(std::uint64_t physical) const
 {
   const std::uint64_t within = physical % page_size;
   if (within >= content_size)
-    source.fail("has an offset within a checksum");
+    source_.fail("has an offset within a checksum");
   return physical / page_size * content_size + within;
 }
 

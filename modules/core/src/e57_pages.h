@@ -12,35 +12,47 @@ class ByteSource;
 std::uint32_t
 e57Checksum(const char* bytes, std::size_t count);
 
-/** \brief The bytes of an E57 file (ASTM E2807) without the checksums of its pages. */
+/** \brief The bytes of an E57 file (ASTM E2807) without the checksums of its pages, read
+ * where they are needed. */
 class E57Pages {
 public:
-  /** \brief Reads the whole file.
-   * \throws InputFileException for what is no E57 file, is truncated, or has a page whose
-   * checksum is wrong */
+  /** \brief Reads the header of the file.
+   * \throws InputFileException for what is no E57 file, or is truncated */
   explicit E57Pages(ByteSource& source);
 
+  /** \brief Compares all pages with their checksums.
+   * \throws InputFileException naming the first one that differs */
+  void
+  requireChecksums();
+
   /** \brief The part that describes the file. */
-  const std::string&
-  xml() const
-  {
-    return xml_;
-  }
+  std::string
+  xml();
 
-  /** \brief All bytes. */
-  const std::string&
-  bytes() const
-  {
-    return bytes_;
-  }
+  /** \brief Number of bytes without checksums. */
+  std::uint64_t
+  size() const;
 
-  /** \brief Offset in \ref bytes of an offset in the file.
+  /** \brief Reads bytes from a logical offset on; the caller has compared them with
+   * \ref size. */
+  std::string
+  read(std::uint64_t offset, std::uint64_t count);
+
+  /** \brief Logical offset of an offset in the file.
    * \throws InputFileException for that of a checksum */
-  static std::uint64_t
-  logical(std::uint64_t physical, const ByteSource& source);
+  std::uint64_t
+  logical(std::uint64_t physical) const;
+
+  const ByteSource&
+  source() const
+  {
+    return source_;
+  }
 
 private:
-  std::string bytes_, xml_;
+  ByteSource& source_;
+  std::uint64_t page_; ///< the one in \ref content_
+  std::string content_;
 };
 
 } // namespace pcl::acmap

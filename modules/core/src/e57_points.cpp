@@ -92,88 +92,86 @@ e57FieldsIn(const pugi::xml_node& prototype, const ByteSource& source)
 E57Points::E57Points(const std::vector<E57Field>& fields,
                      std::uint64_t section,
                      std::uint64_t count,
-                     const E57Pages& pages,
-                     const ByteSource& source)
+                     E57Pages& pages)
 : fields_(fields)
+, pages_(pages)
+, count_(count)
 , streams_(fields.size())
-, position_(fields.size())
 , values_(fields.size())
 {
-  if (count > 0)
-    collect(section, count, pages, source);
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    if (fields[i].bits > 0 && 8 * streams_[i].size() / fields[i].bits < count)
-      source.fail("is truncated: a scan of " + std::to_string(count) + " points has " +
-                  std::to_string(8 * streams_[i].size() / fields[i].bits) +
-                  " values of " + fields[i].name);
+  constexpr std::uint64_t section_header = 32;
+  constexpr std::uint8_t of_vector = 1;
+  if (count == 0)
+    return;
+  require(section, section_header);
+  const std::string header = pages.read(section, section_header);
+  if (valueIn<std::uint8_t>(header, 0) != of_vector)
+    pages.source().fail("has no points where a scan claims them");
+  const auto length = valueIn<std::uint64_t>(header, 8);
+  require(section, length);
+  packet_ = pages.logical(valueIn<std::uint64_t>(header, 16));
+  end_ = section + length;
 }
 
-/** Collects the bytes of each field from the packets of a section. */
 void
-E57Points::collect(std::uint64_t section,
-                   std::uint64_t count,
-                   const E57Pages& pages,
-                   const ByteSource& source)
+E57Points::require(std::uint64_t offset, std::uint64_t length) const
 {
-  constexpr std::uint64_t section_header = 32, packet_header = 6;
-  constexpr std::uint8_t of_vector = 1, of_data = 1;
-  const std::string& bytes = pages.bytes();
-  const auto require = [&](std::uint64_t offset, std::uint64_t length) {
-    if (offset > bytes.size() || length > bytes.size() - offset)
-      source.fail("ends within the points of a scan");
-  };
-  require(section, section_header);
-  if (valueIn<std::uint8_t>(bytes, section) != of_vector)
-    source.fail("has no points where a scan claims them");
-  const auto length = valueIn<std::uint64_t>(bytes, section + 8);
-  require(section, length);
-  std::uint64_t at =
-      E57Pages::logical(valueIn<std::uint64_t>(bytes, section + 16), source);
-  const auto is_complete = [&] {
-    for (std::size_t i = 0; i < fields_.size(); ++i)
-      if (fields_[i].bits > 0 && 8 * streams_[i].size() / fields_[i].bits < count)
-        return false;
-    return true;
-  };
-  while (at < section + length && !is_complete()) {
-    require(at, packet_header);
-    const auto type = valueIn<std::uint8_t>(bytes, at);
-    const std::uint64_t packet =
-        valueIn<std::uint16_t>(bytes, at + 2) + std::uint64_t{1};
-    require(at, packet);
-    if (type == of_data) {
-      const std::uint64_t streams = valueIn<std::uint16_t>(bytes, at + 4);
-      std::uint64_t from = at + packet_header + 2 * streams;
-      if (streams != fields_.size() || from > at + packet)
-        source.fail("has a packet of another number of fields");
-      for (std::uint64_t i = 0; i < streams; ++i) {
-        const std::uint64_t part =
-            valueIn<std::uint16_t>(bytes, at + packet_header + 2 * i);
-        if (part > at + packet - from)
-          source.fail("has a packet that is longer than itself");
-        streams_[i].append(bytes, from, part);
-        from += part;
-      }
+  if (offset > pages_.size() || length > pages_.size() - offset)
+    pages_.source().fail("ends within the points of a scan");
+}
+
+bool
+E57Points::hasNext(std::size_t field) const
+{
+  return 8 * streams_[field].bytes.size() - streams_[field].position >=
+         fields_[field].bits;
+}
+
+/** Reads the next packet, and drops what was used of those before. */
+void
+E57Points::readPacket()
+{
+  constexpr std::uint64_t packet_header = 6;
+  constexpr std::uint8_t of_data = 1;
+  require(packet_, packet_header);
+  const std::string header = pages_.read(packet_, packet_header);
+  const std::uint64_t length = valueIn<std::uint16_t>(header, 2) + std::uint64_t{1};
+  require(packet_, length);
+  if (valueIn<std::uint8_t>(header, 0) == of_data) {
+    const std::string packet = pages_.read(packet_, length);
+    const std::uint64_t streams = valueIn<std::uint16_t>(header, 4);
+    std::uint64_t from = packet_header + 2 * streams;
+    if (streams != fields_.size() || from > length)
+      pages_.source().fail("has a packet of another number of fields");
+    for (std::uint64_t i = 0; i < streams; ++i) {
+      const std::uint64_t part = valueIn<std::uint16_t>(packet, packet_header + 2 * i);
+      if (part > length - from)
+        pages_.source().fail("has a packet that is longer than itself");
+      Stream& stream = streams_[i];
+      stream.bytes.erase(0, stream.position / 8);
+      stream.position %= 8;
+      stream.bytes.append(packet, from, part);
+      from += part;
     }
-    at += packet;
   }
+  packet_ += length;
 }
 
 std::uint64_t
 E57Points::nextBits(std::size_t field)
 {
   const unsigned bits = fields_[field].bits;
-  const std::string& stream = streams_[field];
+  const std::string& stream = streams_[field].bytes;
   std::uint64_t value = 0;
   for (unsigned done = 0; done < bits;) {
-    const std::uint64_t at = position_[field] + done;
+    const std::uint64_t at = streams_[field].position + done;
     const auto within = static_cast<unsigned>(at % 8);
     const unsigned part = std::min(8 - within, bits - done);
     const std::uint64_t byte = static_cast<unsigned char>(stream[at / 8]) >> within;
     value |= (byte & ((1U << part) - 1)) << done;
     done += part;
   }
-  position_[field] += bits;
+  streams_[field].position += bits;
   return value;
 }
 
@@ -182,6 +180,13 @@ E57Points::next()
 {
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     const E57Field& field = fields_[i];
+    while (!hasNext(i)) {
+      if (packet_ >= end_)
+        pages_.source().fail("is truncated: a scan of " + std::to_string(count_) +
+                             " points has " + std::to_string(done_) + " values of " +
+                             field.name);
+      readPacket();
+    }
     const std::uint64_t bits = nextBits(i);
     if (field.kind == E57Field::Kind::Integer) {
       const auto raw =
@@ -197,6 +202,7 @@ E57Points::next()
       values_[i] = value;
     }
   }
+  ++done_;
   return values_;
 }
 

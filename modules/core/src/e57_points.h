@@ -30,36 +30,46 @@ struct E57Field {
 std::vector<E57Field>
 e57FieldsIn(const pugi::xml_node& prototype, const ByteSource& source);
 
-/** \brief Reads the points of a scan one after the other. */
+/** \brief Reads the points of a scan one after the other, packet by packet. */
 class E57Points {
 public:
   /** \param[in] section logical offset of their section
-   * \throws InputFileException if there are fewer than stated, or a packet is
-   * malformed */
+   * \throws InputFileException if there is none */
   E57Points(const std::vector<E57Field>& fields,
             std::uint64_t section,
             std::uint64_t count,
-            const E57Pages& pages,
-            const ByteSource& source);
+            E57Pages& pages);
 
   /** \brief The values of the next point, one per field; valid until the next call. To be
-   * called as often as there are points. */
+   * called as often as there are points.
+   * \throws InputFileException if there are fewer than stated, or a packet is malformed */
   const std::vector<double>&
   next();
 
 private:
+  /** \brief Bytes of a field that were not used yet. */
+  struct Stream {
+    std::string bytes;
+    std::uint64_t position = 0; ///< bits of them that were used
+  };
+
   void
-  collect(std::uint64_t section,
-          std::uint64_t count,
-          const E57Pages& pages,
-          const ByteSource& source);
+  require(std::uint64_t offset, std::uint64_t length) const;
+
+  bool
+  hasNext(std::size_t field) const;
+
+  void
+  readPacket();
 
   std::uint64_t
   nextBits(std::size_t field);
 
   const std::vector<E57Field>& fields_;
-  std::vector<std::string> streams_;    ///< bytes of each field
-  std::vector<std::uint64_t> position_; ///< bits that were read of each
+  E57Pages& pages_;
+  std::uint64_t count_, done_ = 0;     ///< points
+  std::uint64_t packet_ = 0, end_ = 0; ///< logical offsets
+  std::vector<Stream> streams_;
   std::vector<double> values_;
 };
 

@@ -41,7 +41,7 @@ returnFreeMemory()
 
 namespace {
 
-constexpr std::size_t worth_pages = std::size_t{1} << 18; // bytes
+constexpr std::align_val_t line_of_cache{64};
 
 } // namespace
 
@@ -49,10 +49,9 @@ void*
 allocateFromSystem(std::size_t bytes)
 {
   if (bytes < worth_pages)
-    return ::operator new(bytes);
-  if (bytes >= worth_a_file)
-    if (void* const memory = mapScratch(bytes))
-      return memory;
+    return ::operator new(bytes, line_of_cache);
+  if (void* const memory = mapScratch(bytes))
+    return memory;
   void* const memory = ::mmap(
       nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED)
@@ -64,11 +63,9 @@ void
 returnToSystem(void* memory, std::size_t bytes)
 {
   if (bytes < worth_pages)
-    ::operator delete(memory);
-  else if (bytes >= worth_a_file)
-    unmapLarge(memory, bytes);
+    ::operator delete(memory, line_of_cache);
   else
-    ::munmap(memory, bytes);
+    unmapLarge(memory, bytes);
 }
 
 } // namespace pcl::acmap

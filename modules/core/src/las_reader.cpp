@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -104,7 +105,7 @@ readLasHeader(ByteSource& source)
 }
 
 Eigen::Vector3d
-placeOf(const char* record, const LasHeader& header)
+lasPlace(const char* record, const LasHeader& header)
 {
   const Eigen::Vector3d steps(valueAt<std::int32_t>(record, 0),
                               valueAt<std::int32_t>(record, 4),
@@ -126,61 +127,138 @@ lasFields(bool has_color)
 
 using Color16 = std::array<std::uint16_t, 3>;
 
-/** \brief Packs colours of 16 bits, or of 8 where none of them needs more. */
-void
-storeColors(const std::vector<Color16>& colors,
-            std::size_t offset,
-            PCLPointCloud2& cloud)
-{
-  std::uint16_t largest = 0;
-  for (const Color16& color : colors)
-    largest = std::max({largest, color[0], color[1], color[2]});
-  const int shift = largest > 255 ? 8 : 0;
-  for (std::size_t i = 0; i < colors.size(); ++i) {
-    std::uint8_t* const to = &cloud.data[i * cloud.point_step + offset];
-    for (std::size_t c = 0; c < 3; ++c)
-      to[2 - c] = static_cast<std::uint8_t>(colors[i][c] >> shift);
+/** \brief Packs the colours of points, of 16 bits, or of 8 where none of them needs more. */
+class LasColors {
+public:
+  /** \param[in] offset of the colour in a point
+   * \param[in] step bytes of a point */
+  LasColors(std::size_t offset, std::size_t step)
+  : offset_(offset)
+  , step_(step)
+  {}
+
+  /** \brief Stores the colour of the next point.
+   * \param[in,out] points all so far, and this one */
+  void
+  store(const Color16& color, std::uint8_t* points)
+  {
+    if (shift_ == 0 && *std::max_element(color.begin(), color.end()) > 255)
+      widen(points);
+    put(color, points + stored_++ * step_);
   }
+
+private:
+  void
+  put(const Color16& color, std::uint8_t* point) const
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+      point[offset_ + 2 - c] = static_cast<std::uint8_t>(color[c] >> shift_);
+  }
+
+  /** The points so far have colours below 256, which are black among those of 16 bits. */
+  void
+  widen(std::uint8_t* points)
+  {
+    shift_ = 8;
+    for (std::size_t i = 0; i < stored_; ++i)
+      put({}, points + i * step_);
+  }
+
+  std::size_t offset_, step_, stored_ = 0;
+  int shift_ = 0;
+};
+
+/** \brief Makes points of records. */
+class LasPoints {
+public:
+  LasPoints(const LasHeader& header, const FieldLayout& layout)
+  : header_(header)
+  , record_(las_records[header.format])
+  , step_(layout.point_step)
+  , classification_(layout.fields.back().offset)
+  , colors_(4 * sizeof(float), layout.point_step)
+  {}
+
+  /** \brief Stores the point of the next record.
+   * \param[in,out] points all so far, and this one */
+  void
+  store(const char* record, std::uint8_t* points)
+  {
+    std::uint8_t* const to = points + stored_++ * step_;
+    const Eigen::Vector3d place = lasPlace(record, header_);
+    if (!shift_)
+      shift_ = coordinateShift(place);
+    const Eigen::Vector3f near = (place - *shift_).cast<float>();
+    const auto intensity = static_cast<float>(valueAt<std::uint16_t>(record, 12));
+    std::memcpy(to, near.data(), 3 * sizeof(float));
+    std::memcpy(to + 3 * sizeof(float), &intensity, sizeof intensity);
+    to[classification_] = static_cast<std::uint8_t>(record[record_.classification]);
+    if (record_.color > 0)
+      colors_.store(valueAt<Color16>(record, record_.color), points);
+  }
+
+  /** \brief The shift: coordinates of the file minus those of the points, metres. */
+  Eigen::Vector3d
+  shift() const
+  {
+    return shift_.value_or(Eigen::Vector3d::Zero());
+  }
+
+private:
+  const LasHeader& header_;
+  const LasRecord& record_;
+  std::size_t step_;           ///< bytes of a point
+  std::size_t classification_; ///< offset in a point
+  std::size_t stored_ = 0;
+  LasColors colors_;
+  std::optional<Eigen::Vector3d> shift_;
+};
+
+/** \brief Reads all records, one block after the other.
+ * \param[out] data vector of bytes
+ * \return what was subtracted from coordinates */
+template <typename Bytes>
+Eigen::Vector3d
+readRecords(ByteSource& source,
+            const LasHeader& header,
+            const FieldLayout& layout,
+            Bytes& data,
+            CoordinateCheck& check)
+{
+  LasPoints points(header, layout);
+  std::vector<char> records;
+  appendBlocks(static_cast<std::size_t>(header.points),
+               layout.point_step,
+               ByteSource::maximum_line / header.record_bytes + 1,
+               data,
+               [&](std::size_t count, std::uint8_t* block) {
+                 records.resize(count * header.record_bytes);
+                 source.read(records.data(), records.size());
+                 for (std::size_t i = 0; i < count; ++i)
+                   points.store(&records[i * header.record_bytes], data.data());
+                 check.add(block, layout.point_step, count);
+               });
+  return points.shift();
 }
 
 } // namespace
 
 PointCloudFile
-readLas(ByteSource& source)
+readLas(ByteSource& source, LargeVector<std::uint8_t>* rows)
 {
   const LasHeader header = readLasHeader(source);
   if (source.remaining() < header.first_point - header.header_bytes)
     source.fail("ends before its points");
   source.skip(header.first_point - header.header_bytes);
   requirePointsFit(header.points, header.record_bytes, source);
-  const LasRecord& record = las_records[header.format];
+  const bool has_color = las_records[header.format].color > 0;
+  const FieldLayout layout = planLayout(lasFields(has_color), source);
   PointCloudFile file;
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-  const FieldLayout layout = planLayout(lasFields(record.color > 0), source);
-  const auto count = static_cast<std::size_t>(header.points);
-  shapeCloud(file.cloud, layout, count, 1);
-  const std::size_t color_offset = 4 * sizeof(float);
-  std::vector<Color16> colors;
-  std::vector<char> bytes(header.record_bytes);
-  for (std::size_t i = 0; i < count; ++i) {
-    source.read(bytes.data(), bytes.size());
-    const Eigen::Vector3d place = placeOf(bytes.data(), header);
-    if (i == 0)
-      shift = coordinateShift(place);
-    const Eigen::Vector3f near = (place - shift).cast<float>();
-    const auto intensity = static_cast<float>(valueAt<std::uint16_t>(bytes.data(), 12));
-    std::uint8_t* const to = &file.cloud.data[i * file.cloud.point_step];
-    std::memcpy(to, near.data(), 3 * sizeof(float));
-    std::memcpy(to + 3 * sizeof(float), &intensity, sizeof intensity);
-    if (record.color > 0)
-      colors.push_back(valueAt<Color16>(bytes.data(), record.color));
-    to[layout.fields.back().offset] =
-        static_cast<std::uint8_t>(bytes[record.classification]);
-  }
-  storeColors(colors, color_offset, file.cloud);
-  setShift(shift, file);
+  describeCloud(file.cloud, layout, header.points, 1);
   CoordinateCheck check(true);
-  check.add(file);
+  intoRows(rows, file.cloud, [&](auto& data) {
+    setShift(readRecords(source, header, layout, data, check), file);
+  });
   check.finish(file);
   return file;
 }

@@ -359,7 +359,9 @@ acmap::writeMap(const CompactMap& map, const Write& write)
   if (map.exposure != 1)
     write(",\"exposure\":" + Json(map.exposure).dump());
   if (map.up.norm() > 0)
-    write(",\"up\":" + Json{map.up.x(), map.up.y(), map.up.z()}.dump());
+    write(",\"up\":" + jsonOf(map.up).dump());
+  if (!map.shift.isZero(0))
+    write(",\"shift\":" + jsonOf(map.shift).dump());
   write(",\"planes\":[");
   writeLines(write, map.planes.size(), [&](std::size_t id) {
     Json plane = jsonOf(map.planes[id], id);

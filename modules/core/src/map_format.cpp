@@ -358,6 +358,8 @@ requireConsistent(const CompactMap& map)
                                " of a map " + fault);
   if (const std::string fault = faultOfUp(map.up); !fault.empty())
     throw BadArgumentException("the up direction of a map " + fault);
+  if (!map.shift.allFinite())
+    throw BadArgumentException("the shift of a map is not finite");
   for (std::size_t i = 0; i < map.planes.size(); ++i)
     requirePlane(map.planes[i], i);
   for (std::size_t i = 0; i < map.cylinders.size(); ++i)

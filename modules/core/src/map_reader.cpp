@@ -484,6 +484,8 @@ acmap::readMap(const std::string& name, ByteSource& source)
     map.up = file.at("up").vector<3>();
     requireNone(faultOfUp(map.up), file.at("up"));
   }
+  if (file.has("shift"))
+    map.shift = file.at("shift").vector<3>();
   map.observations.resize(planes.size());
   std::int64_t texels = 0;
   const auto addTexels = [&](const TexturePicture& picture, const JsonCursor& at) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/PCLPointCloud2.h>
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/triangle_mesh.h>
 
@@ -36,18 +36,18 @@ struct MeshColumns {
  * \throws BadArgumentException if x, y, z are not float32, or a field or a point is
  * outside the data */
 MeshColumns
-sortColumns(const PCLPointCloud2& cloud);
+sortColumns(const CloudRows& cloud);
 
 /** \brief Implementations of \ref saveTriangleMesh; the mesh has been checked before.
  */
 void
 writePly(OutputFile& file,
-         const PCLPointCloud2& cloud,
+         const CloudRows& cloud,
          const MeshColumns& columns,
          const TriangleMesh& mesh);
 void
 writeVtk(OutputFile& file,
-         const PCLPointCloud2& cloud,
+         const CloudRows& cloud,
          const MeshColumns& columns,
          const TriangleMesh& mesh);
 

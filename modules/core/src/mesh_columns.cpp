@@ -13,14 +13,14 @@ namespace pcl::acmap {
 namespace {
 
 void
-requireInside(const PCLPointCloud2& cloud)
+requireInside(const CloudRows& rows)
 {
-  const std::size_t points = std::size_t{cloud.width} * cloud.height;
-  if (cloud.point_step == 0 ? points > 0
-                            : cloud.data.size() / cloud.point_step < points)
+  const PCLPointCloud2& cloud = rows.layout();
+  const std::size_t points = rows.size();
+  if (cloud.point_step == 0 ? points > 0 : rows.bytes() / cloud.point_step < points)
     throw BadArgumentException("cloud has " + std::to_string(points) + " points of " +
                                std::to_string(cloud.point_step) + " bytes but " +
-                               std::to_string(cloud.data.size()) + " bytes of data");
+                               std::to_string(rows.bytes()) + " bytes of data");
   for (const PCLPointField& field : cloud.fields) {
     const std::size_t bytes = sizeOfType(field.datatype) * field.count;
     if (field.offset + bytes > cloud.point_step)
@@ -74,9 +74,10 @@ isStorable(std::uint8_t datatype)
 } // namespace
 
 MeshColumns
-sortColumns(const PCLPointCloud2& cloud)
+sortColumns(const CloudRows& rows)
 {
-  requireInside(cloud);
+  requireInside(rows);
+  const PCLPointCloud2& cloud = rows.layout();
   MeshColumns columns;
   const auto coordinates = findFloats(cloud, {"x", "y", "z"});
   if (coordinates.empty())

@@ -11,9 +11,8 @@ namespace pcl {
 namespace {
 
 void
-requireConsistent(const PCLPointCloud2& cloud, const TriangleMesh& mesh)
+requireConsistent(std::size_t points, const TriangleMesh& mesh)
 {
-  const std::size_t points = std::size_t{cloud.width} * cloud.height;
   for (const TriangleMesh::Triangle& triangle : mesh.triangles)
     for (const std::int32_t corner : triangle)
       if (corner < 0 || static_cast<std::size_t>(corner) >= points)
@@ -30,15 +29,17 @@ requireConsistent(const PCLPointCloud2& cloud, const TriangleMesh& mesh)
 
 void
 saveTriangleMesh(const std::string& path,
-                 const PCLPointCloud2& cloud,
+                 const CloudRows& cloud,
                  const TriangleMesh& mesh)
 {
   const std::string ending = acmap::lowerEnding(path);
   if (ending != ".ply" && ending != ".vtk")
     throw OutputFileException(path + ": ending '" + ending +
                               "' is not known; ply and vtk are");
+  if (!cloud)
+    throw BadArgumentException(path + ": there is no cloud to write");
   const acmap::MeshColumns columns = acmap::sortColumns(cloud);
-  requireConsistent(cloud, mesh);
+  requireConsistent(cloud.size(), mesh);
   acmap::OutputFile file(path);
   if (ending == ".ply")
     acmap::writePly(file, cloud, columns, mesh);

@@ -3,10 +3,10 @@
 
 namespace pcl::acmap {
 
-std::vector<TriangleMesh::Triangle>
+TriangleMesh::Triangles
 trianglesOf(const std::vector<Vertices>& polygons)
 {
-  std::vector<TriangleMesh::Triangle> triangles;
+  TriangleMesh::Triangles triangles;
   triangles.reserve(polygons.size());
   for (const Vertices& polygon : polygons)
     for (std::size_t k = 2; k < polygon.vertices.size(); ++k)
@@ -16,8 +16,7 @@ trianglesOf(const std::vector<Vertices>& polygons)
 }
 
 void
-requireCornersInside(const std::vector<TriangleMesh::Triangle>& triangles,
-                     std::size_t points)
+requireCornersInside(const TriangleMesh::Triangles& triangles, std::size_t points)
 {
   for (const TriangleMesh::Triangle& triangle : triangles)
     for (const std::int32_t corner : triangle)

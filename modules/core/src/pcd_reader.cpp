@@ -61,11 +61,9 @@ readBinary(ByteSource& source,
   requirePointsFit(header.points, layout.source_step, source);
   describeCloud(file.cloud, layout, header.width, header.height);
   RecordBlocks blocks(source, layout, false);
-  const auto points = static_cast<std::size_t>(header.points);
-  if (rows)
-    blocks.readAll(points, *rows, check);
-  else
-    blocks.readAll(points, file.cloud.data, check);
+  intoRows(rows, file.cloud, [&](auto& data) {
+    blocks.readAll(static_cast<std::size_t>(header.points), data, check);
+  });
 }
 
 std::unique_ptr<std::uint8_t[]>

@@ -223,7 +223,7 @@ bool
 addFan(const char* corners,
        std::uint32_t length,
        std::uint32_t limit,
-       std::vector<TriangleMesh::Triangle>& triangles)
+       TriangleMesh::Triangles& triangles)
 {
   const auto corner = [&](std::uint32_t i) -> std::uint32_t {
     return loadUnsigned<Corner>(corners + i * sizeof(Corner), Swap);

@@ -157,10 +157,7 @@ PlyRows::readVertices(const PlyElement& element,
   if (!text_ && !element.hasList()) {
     describeCloud(file.cloud, layout, rows, 1);
     RecordBlocks blocks(source_, layout, swap_);
-    if (large)
-      blocks.readAll(rows, *large, check);
-    else
-      blocks.readAll(rows, file.cloud.data, check);
+    intoRows(large, file.cloud, [&](auto& data) { blocks.readAll(rows, data, check); });
     return check.finish(file);
   }
   shapeCloud(file.cloud, layout, rows, 1);

@@ -96,11 +96,11 @@ writeFaces(OutputFile& file, const TriangleMesh& mesh)
 
 void
 writePly(OutputFile& file,
-         const PCLPointCloud2& cloud,
+         const CloudRows& cloud,
          const MeshColumns& columns,
          const TriangleMesh& mesh)
 {
-  const std::size_t points = std::size_t{cloud.width} * cloud.height;
+  const std::size_t points = cloud.size(), point_step = cloud.layout().point_step;
   const VertexRecord vertex = describeVertex(columns);
   std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " +
                        std::to_string(points) + "\n" + vertex.header + "element face " +
@@ -112,8 +112,8 @@ writePly(OutputFile& file,
   file.write(header.data(), header.size());
   const auto fill = [&](std::uint8_t* to, std::size_t first, std::size_t count) {
     moveRecords(vertex.moves,
-                &cloud.data[first * cloud.point_step],
-                cloud.point_step,
+                cloud.data() + first * point_step,
+                point_step,
                 to,
                 vertex.bytes,
                 count);

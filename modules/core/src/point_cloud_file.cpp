@@ -30,9 +30,9 @@ readAnyCloud(const std::string& path, LargeVector<std::uint8_t>* rows)
   if (ending == ".xyz")
     return readXyz(source);
   if (ending == ".las")
-    return readLas(source);
+    return readLas(source, rows);
   if (ending == ".e57")
-    return readE57(source);
+    return readE57(source, rows);
   if (ending == ".laz")
     source.fail("is packed by LASzip; laszip or pdal translate unpacks it to .las");
   source.fail("ending '" + ending +

@@ -20,7 +20,7 @@ class ByteSource;
  * A reader of n bytes takes at most 8 n bytes of memory, 450 n if the file is
  * compressed (LZF expands a byte to up to 88 bytes), plus one megabyte.
  * \param[out] rows binary points are read into these, if they are given, instead of into
- * the cloud, which then has no data
+ * the cloud, which then has no data; they are empty before
  * \throws InputFileException when the data do not match their header */
 PointCloudFile
 readPcd(ByteSource& source, LargeVector<std::uint8_t>* rows = nullptr);
@@ -31,9 +31,48 @@ readObj(ByteSource& source);
 PointCloudFile
 readXyz(ByteSource& source);
 PointCloudFile
-readLas(ByteSource& source);
+readLas(ByteSource& source, LargeVector<std::uint8_t>* rows = nullptr);
 PointCloudFile
-readE57(ByteSource& source);
+readE57(ByteSource& source, LargeVector<std::uint8_t>* rows = nullptr);
+
+/** \brief Calls a function with the bytes that get the points of a file: the rows, if they
+ * are given, else the data of its cloud. */
+template <typename Function>
+void
+intoRows(LargeVector<std::uint8_t>* rows,
+         PCLPointCloud2& cloud,
+         const Function& function)
+{
+  if (rows)
+    function(*rows);
+  else
+    function(cloud.data);
+}
+
+/** \brief Appends points, one block after the other, so that a header that claims too many
+ * does not cost their memory.
+ * \param[in] count number of points
+ * \param[in] step bytes of a point
+ * \param[in] block number of points of a block
+ * \param[in,out] data vector of bytes
+ * \param[in] read called with the number of points of a block and with their place, which
+ * has zeros */
+template <typename Bytes, typename Read>
+void
+appendBlocks(std::size_t count,
+             std::size_t step,
+             std::size_t block,
+             Bytes& data,
+             const Read& read)
+{
+  const std::size_t begin = data.size();
+  reserveLarge(data, begin + count * step);
+  for (std::size_t done = 0; done < count; done += block) {
+    const std::size_t now = std::min(block, count - done);
+    data.resize(begin + (done + now) * step);
+    read(now, &data[begin + done * step]);
+  }
+}
 
 /** \brief Rejects more points than the remaining bytes can contain or than an index can
  * represent.
@@ -46,6 +85,10 @@ void
 requireTextPointsFit(std::uint64_t points,
                      std::uint64_t values,
                      const ByteSource& source);
+
+/** \brief Rejects more points than an index can represent. */
+void
+requireCountable(std::uint64_t points, const ByteSource& source);
 
 /** \brief Sets the fields of the cloud and its size, without points. */
 void
@@ -103,12 +146,12 @@ public:
   void
   readAll(std::size_t count, Bytes& data, CoordinateCheck& check)
   {
-    reserveLarge(data, count * layout_.point_step);
-    for (std::size_t done = 0; done < count; done += block_) {
-      const std::size_t now = std::min(block_, count - done);
-      data.resize((done + now) * layout_.point_step);
-      read(now, &data[done * layout_.point_step], check);
-    }
+    appendBlocks(
+        count,
+        layout_.point_step,
+        block_,
+        data,
+        [&](std::size_t now, std::uint8_t* points) { read(now, points, check); });
   }
 
 private:

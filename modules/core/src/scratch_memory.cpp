@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -43,17 +44,25 @@ openNameless(const std::string& folder)
   return named;
 }
 
-/** \brief Bytes of all mapped files, those of the program included, that are in memory. */
-std::size_t
-residentOfFiles()
+/** \brief Resident memory of this process, in bytes. */
+struct Resident {
+  std::size_t files = 0;  ///< mapped ones, those of the program included
+  std::size_t others = 0; ///< all that is in no file
+};
+
+Resident
+residentNow()
 {
   std::FILE* const table = std::fopen("/proc/self/statm", "re");
   if (!table)
-    return 0;
+    return {};
   unsigned long size = 0, resident = 0, of_files = 0;
   const int read = std::fscanf(table, "%lu %lu %lu", &size, &resident, &of_files);
   std::fclose(table);
-  return read == 3 ? of_files * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) : 0;
+  if (read != 3)
+    return {};
+  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  return {of_files * page, (std::max(resident, of_files) - of_files) * page};
 }
 
 /** All blocks of this process that are in files. */
@@ -70,7 +79,7 @@ public:
   add(void* memory, std::size_t bytes)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    blocks_[memory] = bytes;
+    blocks_[static_cast<char*>(memory)] = bytes;
   }
 
   /** \ref release must never see what is mapped next at that address: it is forgotten
@@ -80,23 +89,51 @@ public:
   {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      blocks_.erase(memory);
+      blocks_.erase(static_cast<char*>(memory));
     }
     ::munmap(memory, bytes);
   }
 
-  /** Takes all pages out of this process. Their content stays in the files. */
+  /** Takes pages out of this process, in turns, until there are few enough. Their content
+   * stays in the files. All at once would take so long that other threads would bring in
+   * as many meanwhile. */
+  template <typename AreFew>
   void
-  release()
+  release(const AreFew& are_few)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    std::size_t left = 0;
     for (const auto& [memory, bytes] : blocks_)
-      ::madvise(memory, bytes, MADV_DONTNEED);
+      left += bytes;
+    while (left > 0 && !are_few())
+      left -= std::min(left, releaseNext());
   }
 
 private:
+  /** \return bytes of the part whose turn it was */
+  std::size_t
+  releaseNext()
+  {
+    constexpr std::size_t part = std::size_t{32} << 20;
+    auto block = blocks_.upper_bound(next_);
+    if (block != blocks_.begin() &&
+        next_ < std::prev(block)->first + std::prev(block)->second)
+      --block;
+    else {
+      block = block == blocks_.end() ? blocks_.begin() : block;
+      next_ = block->first;
+    }
+    const auto [memory, bytes] = *block;
+    const std::size_t size =
+        std::min(part, static_cast<std::size_t>(memory + bytes - next_));
+    ::madvise(next_, size, MADV_DONTNEED);
+    next_ += size;
+    return size;
+  }
+
   std::mutex mutex_;
-  std::map<void*, std::size_t> blocks_;
+  std::map<char*, std::size_t> blocks_;
+  char* next_ = nullptr; ///< whose turn it is
 };
 
 } // namespace
@@ -104,10 +141,11 @@ private:
 /** What is in effect while a ScratchMemory exists. */
 class ScratchScope {
 public:
-  ScratchScope(std::string folder, std::size_t resident)
+  ScratchScope(std::string folder, std::size_t resident, std::size_t of_process)
   : folder_(std::move(folder))
   , resident_(resident)
-  , before_(residentOfFiles())
+  , of_process_(of_process / 4 * 3) // the rest is for what comes before the next check
+  , before_(residentNow().files)
   , watch_([this] { watch(); })
   {}
 
@@ -119,6 +157,12 @@ public:
     }
     over_.notify_one();
     watch_.join();
+  }
+
+  std::size_t
+  resident() const
+  {
+    return resident_;
   }
 
   void*
@@ -137,30 +181,44 @@ public:
       refused += bytes;
       return nullptr;
     }
+#ifdef MADV_NOHUGEPAGE
+    // A visit of an array in no order would bring in 2 MB; who fills one asks for that.
+    ::madvise(memory, bytes, MADV_NOHUGEPAGE);
+#endif
     ScratchBlocks::all().add(memory, bytes);
     this->bytes += bytes;
     return memory;
   }
 
-  /** Takes the pages out of the process if they are more than allowed. */
+  /** Takes pages out of the process if they are more than allowed. */
   void
   check()
   {
-    const std::unique_lock<std::mutex> lock(checking_, std::try_to_lock);
-    if (!lock) // another thread does it
+    // A thread that did not wait for another one here would bring in pages meanwhile.
+    const std::lock_guard<std::mutex> lock(checking_);
+    const Resident now = residentNow();
+    const std::size_t arrays = arraysOf(now);
+    const std::size_t others = before_ + now.others;
+    const std::size_t allowed =
+        std::max(resident_, of_process_ - std::min(of_process_, others));
+    if (arrays < allowed)
       return;
-    const std::size_t now = residentOfFiles();
-    before_ = std::min(before_, now);
-    if (now - before_ < resident_)
-      return;
-    ScratchBlocks::all().release();
-    before_ = std::min(before_, residentOfFiles());
+    ScratchBlocks::all().release(
+        [&] { return arraysOf(residentNow()) < allowed / 8 * 7; });
   }
 
   std::atomic<std::size_t> bytes{0};
   std::atomic<std::size_t> refused{0};
 
 private:
+  /** Bytes of the arrays that are resident. */
+  std::size_t
+  arraysOf(const Resident& now)
+  {
+    before_ = std::min(before_, now.files);
+    return now.files - before_;
+  }
+
   void
   watch()
   {
@@ -172,6 +230,7 @@ private:
 
   std::string folder_;
   std::size_t resident_;
+  std::size_t of_process_;
   std::mutex checking_;
   std::size_t before_; ///< bytes of mapped files that are not ours: the program
   std::mutex mutex_;
@@ -243,10 +302,12 @@ mapScratch(std::size_t bytes)
 void
 keepScratchSmall()
 {
-  constexpr unsigned often = 16;
-  static thread_local unsigned calls = 0;
-  if (!ScratchScopes::all().isAny() || ++calls % often != 0)
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds pause(1);
+  static thread_local Clock::time_point last;
+  if (!ScratchScopes::all().isAny() || Clock::now() - last < pause)
     return;
+  last = Clock::now();
   if (const std::shared_ptr<ScratchScope> scope = ScratchScopes::all().last())
     scope->check();
 }
@@ -259,7 +320,9 @@ unmapLarge(void* memory, std::size_t bytes)
 
 } // namespace acmap
 
-ScratchMemory::ScratchMemory(const std::string& folder, std::size_t resident)
+ScratchMemory::ScratchMemory(const std::string& folder,
+                             std::size_t resident,
+                             std::size_t of_process)
 {
   if (resident < acmap::min_resident)
     throw BadArgumentException("scratch memory needs at least 16 MB, " +
@@ -268,13 +331,20 @@ ScratchMemory::ScratchMemory(const std::string& folder, std::size_t resident)
   if (file < 0)
     throw OutputFileException(folder + ": " + std::strerror(errno));
   ::close(file);
-  scope_ = std::make_shared<acmap::ScratchScope>(folder, resident);
+  scope_ = std::make_shared<acmap::ScratchScope>(folder, resident, of_process);
   acmap::ScratchScopes::all().add(scope_);
 }
 
 ScratchMemory::~ScratchMemory()
 {
   acmap::ScratchScopes::all().remove(scope_);
+}
+
+std::size_t
+ScratchMemory::getResidentInEffect()
+{
+  const std::shared_ptr<acmap::ScratchScope> scope = acmap::ScratchScopes::all().last();
+  return scope ? scope->resident() : 0;
 }
 
 std::size_t

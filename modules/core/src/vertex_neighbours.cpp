@@ -6,17 +6,17 @@
 namespace pcl::acmap {
 
 VertexNeighbours::VertexNeighbours(std::size_t vertices,
-                                   const std::vector<TriangleMesh::Triangle>& triangles)
+                                   const TriangleMesh::Triangles& triangles)
 {
   // an edge is found once in each of its triangles: duplicates are removed below
-  std::vector<std::size_t> begin(vertices + 1, 0);
+  LargeVector<std::size_t> begin(vertices + 1, 0);
   for (const TriangleMesh::Triangle& triangle : triangles)
     for (const std::int32_t corner : triangle)
       begin[static_cast<std::size_t>(corner) + 1] += 2;
   for (std::size_t v = 0; v < vertices; ++v)
     begin[v + 1] += begin[v];
   others_.resize(begin.back());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  LargeVector<std::size_t> next(begin.begin(), begin.end() - 1);
   for (const TriangleMesh::Triangle& triangle : triangles)
     for (std::size_t k = 0; k < 3; ++k)
       for (const std::size_t step : {1, 2})

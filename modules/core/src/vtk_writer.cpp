@@ -35,10 +35,10 @@ vtkTypeOf(std::uint8_t datatype)
 /** \brief Legacy VTK: lines of text and blocks of big-endian numbers between them. */
 class VtkWriter {
 public:
-  VtkWriter(OutputFile& file, const PCLPointCloud2& cloud)
+  VtkWriter(OutputFile& file, const CloudRows& cloud)
   : file_(file)
   , cloud_(cloud)
-  , points_(std::size_t{cloud.width} * cloud.height)
+  , points_(cloud.size())
   {}
 
   std::size_t
@@ -62,7 +62,7 @@ public:
 
 private:
   OutputFile& file_;
-  const PCLPointCloud2& cloud_;
+  const CloudRows& cloud_;
   std::size_t points_;
 };
 
@@ -73,9 +73,10 @@ VtkWriter::pointValues(const std::vector<std::size_t>& offsets, std::size_t size
   for (std::size_t i = 0; i < offsets.size(); ++i)
     appendCopy(moves, {offsets[i], i * size, size});
   const std::size_t step = offsets.size() * size;
+  const std::size_t point_step = cloud_.layout().point_step;
   const auto fill = [&](std::uint8_t* to, std::size_t first, std::size_t count) {
-    const std::uint8_t* const from = &cloud_.data[first * cloud_.point_step];
-    moveRecords(moves, from, cloud_.point_step, to, step, count);
+    const std::uint8_t* const from = cloud_.data() + first * point_step;
+    moveRecords(moves, from, point_step, to, step, count);
     swapValues(to, size, size, count * offsets.size());
   };
   writeRecords(file_, points_, step, fill);
@@ -104,7 +105,7 @@ VtkWriter::polygons(const TriangleMesh& mesh)
 
 void
 writeVtk(OutputFile& file,
-         const PCLPointCloud2& cloud,
+         const CloudRows& cloud,
          const MeshColumns& columns,
          const TriangleMesh& mesh)
 {

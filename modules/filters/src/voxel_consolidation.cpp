@@ -16,15 +16,14 @@ using acmap::Representative;
 
 /** The fields of the input, and those of a normal if they are missing. */
 PCLPointCloud2
-emptyResult(const PCLPointCloud2& cloud, std::size_t size)
+layoutOfResult(const PCLPointCloud2& cloud, const ConsolidationReport& report)
 {
   std::vector<FieldWish> wishes;
   for (const char* name : acmap::normal_field_names)
     wishes.push_back({name, PCLPointField::FLOAT32});
   wishes.push_back({"curvature", PCLPointField::FLOAT32});
   PCLPointCloud2 result = acmap::layoutWith(cloud, wishes);
-  acmap::resizeRows(result, size);
-  result.header = cloud.header;
+  result.is_dense = report.without_normal == 0;
   return result;
 }
 
@@ -100,11 +99,35 @@ VoxelConsolidation<PCLPointCloud2>::filter(PCLPointCloud2& output)
 void
 VoxelConsolidation<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
 {
+  PCLPointCloud2 result;
+  consolidate([&](const PCLPointCloud2& layout, std::size_t points) {
+    result = layout;
+    acmap::resizeRows(result, points);
+    return result.data.data();
+  });
+  output = std::move(result);
+}
+
+void
+VoxelConsolidation<PCLPointCloud2>::filter(CloudRows& output)
+{
+  PCLPointCloud2 layout;
+  LargeVector<std::uint8_t> rows;
+  consolidate([&](const PCLPointCloud2& of_result, std::size_t points) {
+    layout = of_result;
+    rows.resize(points * layout.point_step);
+    return rows.data();
+  });
+  output = CloudRows(std::move(layout), std::move(rows));
+}
+
+void
+VoxelConsolidation<PCLPointCloud2>::consolidate(const MakeRows& make)
+{
   const bool is_subset = !rows_ && !fake_indices_;
   const Indices* const wanted = is_subset ? indices_.get() : nullptr;
   const CloudRows rows = rows_ ? rows_ : CloudRows(input_);
   const acmap::PointView points = acmap::requirePoints(rows, wanted);
-  const PCLPointCloud2& layout = rows.layout();
   acmap::ConsolidationSettings settings;
   settings.voxel_size = voxel_size_;
   settings.keep_sources = keep_sources_;
@@ -118,16 +141,17 @@ VoxelConsolidation<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
       acmap::Progress(progress_),
       report);
 
-  PCLPointCloud2 result = emptyResult(layout, consolidation.representatives.size());
-  result.is_dense = report.without_normal == 0;
-  const RowWriter writer(result);
+  const std::size_t step = rows.layout().point_step;
+  const PCLPointCloud2 layout = layoutOfResult(rows.layout(), report);
+  const RowWriter writer(layout);
+  std::uint8_t* const made = make(layout, consolidation.representatives.size());
   const auto writeRows = [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       const Representative& representative = consolidation.representatives[r];
       const auto witness = static_cast<std::size_t>(
           points.index(static_cast<std::size_t>(representative.witness)));
-      std::uint8_t* const row = &result.data[r * result.point_step];
-      std::memcpy(row, rows.data() + witness * layout.point_step, layout.point_step);
+      std::uint8_t* const row = made + r * layout.point_step;
+      std::memcpy(row, rows.data() + witness * step, step);
       writer.write(representative, static_cast<float>(report.residual), row);
     }
   };
@@ -142,7 +166,6 @@ VoxelConsolidation<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
           consolidation.representative_of[i];
   }
   voxel_of_point_ = std::move(voxel_of_point);
-  output = std::move(result);
   report_ = std::move(report);
 }
 

@@ -7,6 +7,7 @@
 #include <pcl/core/trinocular_grabber.h>
 #include <pcl/pipeline/compact_mapping.h>
 #include <pcl/pipeline/fingerprint.h>
+#include <pcl/pipeline/ranked_work.h>
 #include <pcl/pipeline/sequence_alignment.h>
 #include <pcl/pipeline/sequence_consolidation.h>
 #include <pcl/texture/floor_plan.h>
@@ -351,6 +352,8 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   Levelling levelling = levelling_;
   if (mode_ == MappingMode::Paper && !levelling.getUpDirection())
     levelling.setUpDirection(-Eigen::Vector3d::UnitY()); // as the paper assumes
+  else if (!sequence.shift().isZero(0) && !levelling.getUpDirection())
+    levelling.setUpDirection(Eigen::Vector3d::UnitZ()); // of a surveyed grid
   report.levelling = levelObservations(levelling, observations, threads_);
   addRemarks(*report.levelling, report);
   Rectification rectification = rectification_;
@@ -440,30 +443,20 @@ CompactMapping::goOnFrom(const std::string& step,
   return posed();
 }
 
-std::optional<TexturedObservation>
-CompactMapping::load(const ObservationSequence& sequence, std::size_t i) const
-{
-  try {
-    const PosedObservation seen = sequence.load(i);
-    return TexturedObservation{
-        acmap::sharedCloud(seen.file), seen.T_map_camera, sequence.stamp(i), true};
-  }
-  catch (const InputFileException&) {
-    if (!skip_broken_)
-      throw;
-    return std::nullopt; // the merging has reported it
-  }
-}
-
 CompactMap
-CompactMapping::paint(const ObservationSequence& sequence, CompactMappingReport& report)
+CompactMapping::paint(const ObservationSequence& sequence,
+                      RankedWork* work,
+                      CompactMappingReport& report)
 {
   Texturing texturing = texturing_;
   texturing.setPlanes(mapped_.planes);
   texturing.setCylinders(mapped_.cylinders);
   texturing.clearObservations();
-  for (std::size_t i = 0; i < sequence.size(); ++i)
-    texturing.addObservationLoader([this, &sequence, i] { return load(sequence, i); });
+  acmap::addObservations(
+      work,
+      sequence.size(),
+      [&](std::size_t i) { return acmap::loadTextured(sequence, i, skip_broken_); },
+      texturing);
   texturing.setNumberOfThreads(threads_);
   texturing.setProgressCallback(partOf(progress_, 0.8, 1));
   CompactMap map;
@@ -475,6 +468,25 @@ CompactMapping::paint(const ObservationSequence& sequence, CompactMappingReport&
 
 void
 CompactMapping::compute(CompactMap& map)
+{
+  if (!ranks_)
+    return makeMap(map);
+  if (ranks_->rank() > 0) {
+    map = CompactMap();
+    return serveRanks(*ranks_);
+  }
+  try {
+    makeMap(map);
+  }
+  catch (...) {
+    endRanks(*ranks_);
+    throw;
+  }
+  endRanks(*ranks_);
+}
+
+void
+CompactMapping::makeMap(CompactMap& map)
 {
   finishObservation();
   if (sequence_ && (stream_ || !clouds_.empty()))
@@ -523,6 +535,9 @@ CompactMapping::compute(CompactMap& map)
   merging.setSkipBroken(skip_broken_);
   merging.setNumberOfThreads(threads_);
   merging.setProgressCallback(partOf(progress_, 0.5, 0.6));
+  const std::shared_ptr<RankedWork> work = acmap::shareOut(
+      ranks_, sequence, threads_, scratch_folder_, scratch_resident_, report.remarks);
+  merging.setRankedWork(work);
   MergedCloud merged;
   merging.compute(sequence, merged);
   report.merging = merging.getReport();
@@ -543,13 +558,19 @@ CompactMapping::compute(CompactMap& map)
 
   CompactMap result;
   if (!mapped_.planes.empty() || !mapped_.cylinders.empty()) {
-    result = paint(sequence, report);
+    result = paint(sequence, work.get(), report);
     result.boxes = mapped_.boxes;
     result.recesses = mapped_.recesses;
     result.up = estimated_.up.value_or(Eigen::Vector3d::Zero());
+    result.shift = sequence.shift();
     setRooms(makeFloorPlan(result), result);
   }
   timer.finish("texture");
+  if (work) {
+    report.ranks = ranks_->size();
+    report.rank_messages = ranks_->getNumberOfMessages();
+    report.rank_bytes = ranks_->getNumberOfBytes();
+  }
   if (scratch && scratch->getRefused() > 0)
     report.remarks.push_back(scratch_folder_ + ": the disk is full, " +
                              std::to_string(scratch->getRefused()) +

@@ -88,12 +88,8 @@ MapRows::append(const PointCloudFile& observation,
                 std::int32_t view)
 {
   const PointView points = observation.points();
-  const std::size_t bytes = rows_.size() + points.size() * layout_.point_step;
-  if (bytes > announced_)
-    announce(bytes);
   const std::vector<std::size_t> befores = countFinite(points, seen_);
-  seen_ = befores.back();
-  rows_.resize((seen_ + every_ - 1) / every_ * layout_.point_step);
+  grow(befores.back() - seen_);
   const PCLPointField* const color = colored_ ? findColor(observation.cloud) : nullptr;
   const auto write = [&](std::size_t i, const Eigen::Vector3f& point, std::size_t row) {
     const Eigen::Vector3f place = (T_map_camera * point.cast<double>()).cast<float>();
@@ -114,6 +110,40 @@ MapRows::append(const PointCloudFile& observation,
         write(i, point, (before - 1) / every_);
     }
   });
+  dropAboveMaximum();
+}
+
+void
+MapRows::appendRows(const std::vector<std::uint8_t>& rows, std::int32_t first_view)
+{
+  const std::size_t step = layout_.point_step, before = seen_;
+  const std::size_t points = rows.size() / step;
+  grow(points);
+  for (std::size_t i = (every_ - before % every_) % every_; i < points; i += every_) {
+    std::uint8_t* const to = &rows_[(before + i) / every_ * step];
+    std::memcpy(to, &rows[i * step], step);
+    std::int32_t view;
+    std::memcpy(&view, to + step - sizeof view, sizeof view);
+    view += first_view;
+    std::memcpy(to + step - sizeof view, &view, sizeof view);
+  }
+  dropAboveMaximum();
+}
+
+/** Makes room for more finite points. */
+void
+MapRows::grow(std::size_t points)
+{
+  const std::size_t bytes = rows_.size() + points * layout_.point_step;
+  if (bytes > announced_)
+    announce(bytes);
+  seen_ += points;
+  rows_.resize((seen_ + every_ - 1) / every_ * layout_.point_step);
+}
+
+void
+MapRows::dropAboveMaximum()
+{
   while (size() > maximum_) {
     const std::size_t step = layout_.point_step;
     rows_.resize(moveEveryNth(rows_.data(), size(), step, 2, rows_.data()) * step);

@@ -1,3 +1,4 @@
+#include <pcl/core/map_file.h>
 #include <pcl/core/output_file.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_list.h>
@@ -78,7 +79,12 @@ openMappedObservations(const std::string& map)
       throw InputFileException(file + ": is missing, an observation of the map " + map);
   std::vector<std::size_t> places(files.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
-  return ObservationSequence(std::move(files)).withPoses(places, std::move(trajectory));
+  const std::string planes = (fs::path(map) / "map.json").string();
+  const Eigen::Vector3d shift =
+      fs::exists(planes, error) ? loadMapFile(planes).shift : Eigen::Vector3d::Zero();
+  return ObservationSequence(std::move(files))
+      .withPoses(places, std::move(trajectory))
+      .withShift(shift);
 }
 
 } // namespace pcl

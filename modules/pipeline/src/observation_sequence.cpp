@@ -1,10 +1,12 @@
 #include "observation_cache.h"
 #include "rgbd/rgbd_reader.h"
 
+#include <pcl/core/impl/byte_parcel.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/pipeline/fingerprint.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_sequence.h>
+#include <pcl/pipeline/observation_source.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -60,6 +62,7 @@ cacheOfFiles(double scale)
 
 ObservationSequence::ObservationSequence(const std::string& folder, double scale)
 : source_(folder)
+, scale_(scale)
 , cache_(cacheOfFiles(scale))
 {
   paths_ = acmap::observationPaths(folder);
@@ -75,6 +78,7 @@ ObservationSequence::ObservationSequence(const std::string& folder, double scale
 
 ObservationSequence::ObservationSequence(std::vector<std::string> files, double scale)
 : paths_(std::move(files))
+, scale_(scale)
 , cache_(cacheOfFiles(scale))
 {
   if (paths_.empty())
@@ -124,6 +128,28 @@ ObservationSequence::ObservationSequence(const RgbdSequence& recorded,
   });
 }
 
+ObservationSequence::ObservationSequence(
+    const std::shared_ptr<const ObservationSource>& recorded)
+: is_given_(true)
+{
+  if (!recorded || recorded->size() == 0)
+    PCL_THROW_EXCEPTION(BadArgumentException, "a sequence of no observations");
+  source_ = recorded->name();
+  shift_ = recorded->shift();
+  remarks_ = recorded->remarks();
+  trajectory_ = recorded->trajectory();
+  std::map<std::string, std::size_t> numbers;
+  for (std::size_t i = 0; i < recorded->size(); ++i) {
+    paths_.push_back(acmap::observationName(i));
+    rows_.push_back(i);
+    numbers[paths_.back()] = i;
+  }
+  cache_ = std::make_shared<acmap::ObservationCache>(
+      [recorded, numbers](const std::string& name) {
+        return std::make_shared<const PointCloudFile>(recorded->load(numbers.at(name)));
+      });
+}
+
 ObservationSequence
 ObservationSequence::withPoses(const std::vector<std::size_t>& places,
                                Trajectory trajectory) const
@@ -151,6 +177,14 @@ ObservationSequence::withPoses(const std::vector<std::size_t>& places,
 }
 
 ObservationSequence
+ObservationSequence::withShift(const Eigen::Vector3d& shift) const
+{
+  ObservationSequence shifted = *this;
+  shifted.shift_ = shift;
+  return shifted;
+}
+
+ObservationSequence
 ObservationSequence::followedBy(const ObservationSequence& next) const
 {
   constexpr double pause = 1; // seconds
@@ -161,11 +195,15 @@ ObservationSequence::followedBy(const ObservationSequence& next) const
   joined.paths_.clear();
   joined.trajectory_ = Trajectory();
   joined.is_given_ = true;
+  if (next.scale_ != scale_)
+    joined.scale_.reset();
   const auto add = [&](const ObservationSequence& sequence, double delay) {
     for (std::size_t i = 0; i < sequence.size(); ++i) {
       std::string name = sequence.paths_[i];
-      if (origins.count(name) > 0)
+      if (origins.count(name) > 0) {
         name = "next/" + name; // clouds in memory are called alike in all sequences
+        joined.scale_.reset();
+      }
       joined.paths_.push_back(name);
       origins.emplace(name, std::pair(sequence.cache_, sequence.paths_[i]));
       joined.trajectory_.stamps.push_back(sequence.stamp(i) + delay);
@@ -183,6 +221,43 @@ ObservationSequence::followedBy(const ObservationSequence& next) const
       });
   joined.setCacheSize(0); // those of both sequences are sufficient
   return joined;
+}
+
+void
+ObservationSequence::put(std::size_t begin,
+                         std::size_t end,
+                         acmap::ByteParcel& parcel) const
+{
+  if (!scale_)
+    throw BadArgumentException(source_ + ": its observations are no files");
+  parcel.put(*scale_);
+  parcel.put(is_given_);
+  parcel.put(hasTrajectory());
+  parcel.put(end - begin);
+  for (std::size_t i = begin; i < end; ++i) {
+    parcel.putText(paths_[i]);
+    parcel.put(stamp(i));
+    if (hasTrajectory())
+      parcel.putAll(pose(i).matrix().data(), 16);
+  }
+}
+
+ObservationSequence
+ObservationSequence::taken(acmap::ByteParcel& parcel)
+{
+  ObservationSequence sequence;
+  sequence.scale_ = parcel.take<double>();
+  sequence.cache_ = cacheOfFiles(*sequence.scale_);
+  sequence.is_given_ = parcel.take<bool>();
+  const bool has_trajectory = parcel.take<bool>();
+  for (auto left = parcel.take<std::size_t>(); left > 0; --left) {
+    sequence.rows_.push_back(sequence.paths_.size());
+    sequence.paths_.push_back(parcel.takeText());
+    sequence.trajectory_.stamps.push_back(parcel.take<double>());
+    if (has_trajectory)
+      parcel.takeAll(sequence.trajectory_.poses.emplace_back().matrix().data(), 16);
+  }
+  return sequence;
 }
 
 std::string
@@ -267,15 +342,24 @@ ObservationSequence::load(std::size_t i) const
   return observation;
 }
 
+std::string
+acmap::inOneLine(const std::vector<std::string>& remarks)
+{
+  const std::size_t others = remarks.size() - 1;
+  return remarks.front() +
+         (others > 0 ? "; and " + std::to_string(others) + " further files likewise"
+                     : "");
+}
+
 std::vector<std::string>
 ObservationSequence::remarks() const
 {
-  const std::size_t poses = trajectory_.poses.size();
-  if (poses <= size())
-    return {};
-  return {(fs::path(source_) / acmap::trajectory_name).string() + ": has " +
-          std::to_string(poses) + " poses, the folder " + std::to_string(size()) +
-          " observations: the others are missing"};
+  std::vector<std::string> remarks = remarks_;
+  if (const std::size_t poses = trajectory_.poses.size(); poses > size())
+    remarks.push_back((fs::path(source_) / acmap::trajectory_name).string() + ": has " +
+                      std::to_string(poses) + " poses, the folder " +
+                      std::to_string(size()) + " observations: the others are missing");
+  return remarks;
 }
 
 void

@@ -58,17 +58,6 @@ weightOf(const std::string& path, double voxel_size)
   throw InputFileException(text.str());
 }
 
-/** Poses that were rectified before differ from all VIEWPOINTs: one line is
- * sufficient. */
-std::string
-inOneLine(const std::vector<std::string>& remarks)
-{
-  const std::size_t others = remarks.size() - 1;
-  return remarks.front() +
-         (others > 0 ? "; and " + std::to_string(others) + " further files likewise"
-                     : "");
-}
-
 } // namespace
 
 ConsolidatedObservation
@@ -140,7 +129,7 @@ SequenceConsolidation::compute(const ObservationSequence& sequence,
     }
   }
   if (!remarks.empty())
-    report.remarks.push_back(inOneLine(remarks));
+    report.remarks.push_back(acmap::inOneLine(remarks));
   for (const std::string& remark : sequence.remarks())
     report.remarks.push_back(remark);
   if (found.places.empty())

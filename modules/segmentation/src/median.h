@@ -9,8 +9,9 @@ namespace pcl::acmap {
 /** The median; for an even number of values the upper one of the two in the middle; 0
  * if empty.
  * \param[in,out] values they are reordered */
-inline double
-medianOf(std::vector<double>& values)
+template <typename Allocator>
+double
+medianOf(std::vector<double, Allocator>& values)
 {
   if (values.empty())
     return 0;

@@ -40,6 +40,11 @@ std::size_t
 estimateDeWallMemory(std::size_t points, bool with_normals, DeWallRule rule)
 {
   constexpr std::size_t bytes_a_normal = 12, rest = 1 << 20;
+  const std::size_t in_files = ScratchMemory::getResidentInEffect();
+  if (in_files > 0 && rule != DeWallRule::Strict) {
+    constexpr std::size_t bytes_that_stay = 8;
+    return rest + in_files + points * bytes_that_stay;
+  }
   const std::size_t bytes_a_point = rule == DeWallRule::Strict ? 360 : 170;
   return rest + points * (bytes_a_point + (with_normals ? bytes_a_normal : 0));
 }

@@ -208,7 +208,7 @@ normalLines(const Scene& scene)
 }
 
 std::vector<std::array<std::int32_t, 2>>
-boundaryEdges(const std::vector<TriangleMesh::Triangle>& triangles)
+boundaryEdges(const TriangleMesh::Triangles& triangles)
 {
   std::vector<std::array<std::int32_t, 2>> edges;
   edges.reserve(triangles.size() * 3);

@@ -18,7 +18,7 @@ namespace pcl::acmap {
 struct Scene {
   std::vector<Eigen::Vector3f> points;
   std::vector<std::array<std::uint8_t, 3>> colors; ///< of the points; may be empty
-  std::vector<TriangleMesh::Triangle> triangles;   ///< indices into points
+  TriangleMesh::Triangles triangles;               ///< indices into points
   std::vector<std::uint8_t> wall_depth;            ///< of the triangles; may be empty
 
   bool
@@ -45,7 +45,7 @@ trianglesOf(const PolygonMesh& mesh);
 
 /** \brief Edges that belong to one triangle only. */
 std::vector<std::array<std::int32_t, 2>>
-boundaryEdges(const std::vector<TriangleMesh::Triangle>& triangles);
+boundaryEdges(const TriangleMesh::Triangles& triangles);
 
 /** \brief Lines at the vertices along the area-weighted mean normals of their
  * triangles. Every nth vertex is used, so that there are at most 3000. Their length is

@@ -25,12 +25,12 @@ vtkSmartPointer<vtkUnsignedCharArray>
 colorsOf(const std::vector<ByteColor>& values);
 
 /** \brief Creates cells from lists of vertices of fixed or variable length. */
-template <typename Corners>
+template <typename Cells>
 vtkSmartPointer<vtkCellArray>
-cellsOf(const std::vector<Corners>& cells)
+cellsOf(const Cells& cells)
 {
   auto array = vtkSmartPointer<vtkCellArray>::New();
-  for (const Corners& corners : cells) {
+  for (const auto& corners : cells) {
     array->InsertNextCell(static_cast<int>(corners.size()));
     for (const std::int32_t corner : corners)
       array->InsertCellPoint(corner);

@@ -19,7 +19,7 @@ namespace {
 /** \brief The depth of the halves that were not divided further: most triangles have
  * it, and no wall does. */
 std::optional<std::uint8_t>
-deepestOf(const std::vector<std::uint8_t>& depths)
+deepestOf(const LargeVector<std::uint8_t>& depths)
 {
   std::optional<std::uint8_t> deepest;
   for (const std::uint8_t depth : depths)
@@ -95,7 +95,7 @@ faintPoints(const Scene& scene)
  * wide. */
 vtkSmartPointer<vtkActor>
 actorOfPart(const Scene& scene,
-            const std::vector<TriangleMesh::Triangle>& triangles,
+            const TriangleMesh::Triangles& triangles,
             const std::vector<ByteColor>& colors,
             bool is_wall)
 {
@@ -122,7 +122,7 @@ actorOfPart(const Scene& scene,
 Actors
 actorsOfWalls(const Scene& scene, std::size_t step, std::size_t steps, bool hide_backs)
 {
-  std::vector<TriangleMesh::Triangle> made, walls;
+  TriangleMesh::Triangles made, walls;
   std::vector<ByteColor> colors, wall_colors_made;
   for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
     const std::uint8_t depth = scene.wall_depth[i];

@@ -58,7 +58,7 @@ findPlanesAt(const PlaneInput& input, double distance)
       ConsolidationReport report;
       consolidation = consolidatePoints(
           viewOf(input), sensors, ColorView(), settings, Progress(), report);
-      const std::vector<Representative>& all = consolidation.representatives;
+      const LargeVector<Representative>& all = consolidation.representatives;
       hypotheses.points =
           PointView(all.front().point.data(), sizeof(Representative), all.size());
       hypotheses.triangles = meshOf(consolidation, settings.voxel_size).triangles;

@@ -7,7 +7,7 @@ namespace pcl::acmap::bench {
 TriangleMesh
 meshOf(const Consolidation& consolidation, double voxel)
 {
-  const std::vector<Representative>& all = consolidation.representatives;
+  const LargeVector<Representative>& all = consolidation.representatives;
   if (all.empty())
     return {};
   DeWallSettings settings;

@@ -8,7 +8,7 @@ namespace pcl::acmap::bench {
 PointView
 VotedMesh::vertices() const
 {
-  const std::vector<Representative>& all = consolidation.representatives;
+  const LargeVector<Representative>& all = consolidation.representatives;
   return {all.empty() ? nullptr : all.front().point.data(),
           sizeof(Representative),
           all.size()};

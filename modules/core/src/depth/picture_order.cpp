@@ -14,6 +14,11 @@ constexpr std::size_t min_lines = 20;
 constexpr std::size_t max_lines = 10000;
 constexpr std::size_t min_points = 1000;
 
+/** That many points of a picture have enough whole rows to show its lines. The rays of a
+ * large cloud that is no picture need not be kept and sorted beyond them. */
+constexpr std::size_t first_points = 256 * 1024;
+static_assert(first_points > min_lines * max_lines);
+
 /** Columns or rows of an image: one coordinate of the rays, evenly spaced. */
 struct PictureLines {
   double first = 0;
@@ -146,6 +151,8 @@ findPictureOrder(const PointView& points)
     x.push_back(point.x() / point.z());
     y.push_back(point.y() / point.z());
     measured.push_back(i);
+    if (measured.size() == first_points && (!findLines(x) || !findLines(y)))
+      return std::nullopt;
   }
   if (measured.size() < min_points)
     return std::nullopt;

@@ -27,7 +27,7 @@ public:
     } while (ring != ring_);
   }
 
-  std::vector<TriangleMesh::Triangle>
+  TriangleMesh::Triangles
   run()
   {
     // A corner that is not an ear stays blocked until one of its neighbours is removed.
@@ -259,12 +259,12 @@ private:
   RingNodes& nodes_;
   std::int32_t ring_;
   std::size_t size_ = 0;
-  std::vector<TriangleMesh::Triangle> triangles_;
+  TriangleMesh::Triangles triangles_;
 };
 
 } // namespace
 
-std::vector<TriangleMesh::Triangle>
+TriangleMesh::Triangles
 trianglesOfPolygon(const PlanePolygon& polygon, const Eigen::Vector3d& normal)
 {
   if (!normal.allFinite() || normal.isZero(0))

@@ -100,7 +100,7 @@ RingCrossings::findCrossing() const
 
 /** Boundaries may also cross in corners; then the areas differ. */
 bool
-RingCrossings::isWhole(const std::vector<TriangleMesh::Triangle>& triangles) const
+RingCrossings::isWhole(const TriangleMesh::Triangles& triangles) const
 {
   const auto point = [&](std::int32_t corner) {
     return points_[static_cast<std::size_t>(corner)];
@@ -125,12 +125,12 @@ RingCrossings::isInside(const GridPoint (&corners)[3]) const
   return windings > 0;
 }
 
-std::vector<TriangleMesh::Triangle>
-RingCrossings::sound(std::vector<TriangleMesh::Triangle> triangles) const
+TriangleMesh::Triangles
+RingCrossings::sound(TriangleMesh::Triangles triangles) const
 {
   if (!any_ && isWhole(triangles))
     return triangles;
-  std::vector<TriangleMesh::Triangle> kept;
+  TriangleMesh::Triangles kept;
   for (const TriangleMesh::Triangle& triangle : triangles) {
     const auto cornersOf = [&](const TriangleMesh::Triangle& t, Corners& corners) {
       for (std::size_t k = 0; k < 3; ++k)

@@ -15,8 +15,8 @@ public:
   /** \brief Returns all triangles if no boundaries cross and the areas agree. Otherwise
    * returns those that no boundary passes through, that are inside, and that do not
    * overlap an earlier one, in O(n^2). */
-  std::vector<TriangleMesh::Triangle>
-  sound(std::vector<TriangleMesh::Triangle> triangles) const;
+  TriangleMesh::Triangles
+  sound(TriangleMesh::Triangles triangles) const;
 
 private:
   struct Edge {
@@ -27,7 +27,7 @@ private:
   findCrossing() const;
 
   bool
-  isWhole(const std::vector<TriangleMesh::Triangle>& triangles) const;
+  isWhole(const TriangleMesh::Triangles& triangles) const;
 
   bool
   isInside(const GridPoint (&corners)[3]) const;

@@ -146,8 +146,8 @@ CellTable::clear()
 void
 CellTable::grow()
 {
-  --shift_;
   std::vector<Slot, SystemAllocator<Slot>> wider(2 * slots_.size(), Slot{no_key, 0});
+  --shift_;
   for (const Slot& slot : slots_) {
     if (slot.key == no_key)
       continue;
@@ -157,6 +157,32 @@ CellTable::grow()
     wider[s] = slot;
   }
   slots_ = std::move(wider);
+}
+
+void
+packCells(const CellTable& table, std::int32_t first, ByteParcel& parcel)
+{
+  parcel.put(table.cells.size());
+  parcel.put(table.colors.size());
+  for (std::size_t c = 0; c < table.cells.size(); ++c) {
+    CellSums sums = table.cells[c];
+    sums.witness += first;
+    parcel.put(sums);
+  }
+  for (std::size_t c = 0; c < table.colors.size(); ++c)
+    parcel.put(table.colors[c]);
+}
+
+CellTable
+unpackedCells(ByteParcel& parcel)
+{
+  const auto cells = parcel.take<std::size_t>(), colors = parcel.take<std::size_t>();
+  CellTable table(cells);
+  for (std::size_t c = 0; c < cells; ++c)
+    table.cells.append() = parcel.take<CellSums>();
+  for (std::size_t c = 0; c < colors; ++c)
+    table.colors.append() = parcel.take<ColorSum>();
+  return table;
 }
 
 } // namespace pcl::acmap

@@ -2,6 +2,7 @@
 
 #include "voxels/chunked_array.h"
 
+#include <pcl/core/impl/byte_parcel.h>
 #include <pcl/core/impl/voxel_moments.h>
 
 #include <algorithm>
@@ -110,5 +111,15 @@ private:
   std::vector<Slot, SystemAllocator<Slot>> slots_;
   int shift_ = 0;
 };
+
+/** \brief Puts the cells of a table into a parcel.
+ * \param[in] first is added to the indices of points */
+void
+packCells(const CellTable& table, std::int32_t first, ByteParcel& parcel);
+
+/** \brief Takes the cells of a table out of a parcel.
+ * \throws IOException if it has fewer bytes */
+CellTable
+unpackedCells(ByteParcel& parcel);
 
 } // namespace pcl::acmap

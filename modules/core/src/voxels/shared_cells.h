@@ -29,6 +29,19 @@ public:
     return parts_.front().table;
   }
 
+  std::size_t
+  parts() const
+  {
+    return parts_.size();
+  }
+
+  /** \brief Takes the cells of a part away. */
+  CellTable
+  take(std::size_t part)
+  {
+    return std::exchange(parts_[part].table, CellTable());
+  }
+
   /** \brief Moves the cells to an object without any, in ascending order of their
    * keys. The parts are released one after the other, as both together are large. */
   void

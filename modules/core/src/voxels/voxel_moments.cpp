@@ -1,8 +1,11 @@
 #include "voxels/shared_cells.h"
 
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/point_shares.h>
 
 #include <atomic>
+#include <optional>
+#include <utility>
 
 namespace pcl::acmap {
 
@@ -34,20 +37,29 @@ constexpr std::size_t points_of_near_cells = std::size_t{1} << 14;
 
 class Summation {
 public:
+  /** \param[in] size number of points that are summed, the first ones */
   Summation(const PointView& points,
+            std::size_t size,
             const SensorView& sensors,
             const ColorView& colors,
             const VoxelLattice& lattice)
   : points_(points)
+  , size_(size)
   , sensors_(sensors)
   , colors_(colors)
   , lattice_(lattice)
   {}
 
   std::size_t
+  size() const
+  {
+    return size_;
+  }
+
+  std::size_t
   stretches() const
   {
-    return (points_.size() + points_of_near_cells - 1) / points_of_near_cells;
+    return (size_ + points_of_near_cells - 1) / points_of_near_cells;
   }
 
   /** Sums a stretch of consecutive points.
@@ -58,7 +70,7 @@ public:
     Batch batch;
     keepScratchSmall();
     const std::size_t begin = stretch * points_of_near_cells;
-    const std::size_t end = std::min(begin + points_of_near_cells, points_.size());
+    const std::size_t end = std::min(begin + points_of_near_cells, size_);
     for (std::size_t first = begin; first < end; first += Batch::capacity) {
       const std::size_t size = std::min(Batch::capacity, end - first);
       gather(first, size, batch);
@@ -145,6 +157,7 @@ private:
   }
 
   const PointView& points_;
+  std::size_t size_;
   const SensorView& sensors_;
   const ColorView& colors_;
   const VoxelLattice& lattice_;
@@ -168,40 +181,54 @@ limitsOf(const PointView& points, const VoxelLattice& lattice)
   return limits;
 }
 
-/** Sums all points with as many tasks as threads: the sums are exact, so the result does
- * not depend on their number. */
-LeftOut
-sumAll(const Summation& summation, const PointView& points, VoxelMoments& voxels)
+constexpr std::size_t worth_a_thread = std::size_t{1} << 18;
+
+/** Number of tasks for the points, at most as many as threads. */
+std::size_t
+tasksFor(std::size_t points)
 {
-  constexpr std::size_t worth_a_thread = std::size_t{1} << 18;
   const auto threads =
       static_cast<std::size_t>(oneapi::tbb::this_task_arena::max_concurrency());
-  const std::size_t tasks =
-      std::clamp<std::size_t>(points.size() / worth_a_thread, 1, threads);
-  SharedCells all(tasks > 1 ? limitsOf(points, voxels.lattice)
-                            : std::vector<VoxelKey>());
+  return std::clamp<std::size_t>(points / worth_a_thread, 1, threads);
+}
+
+/** Adds all points to the cells. The sums are exact, so the result does not depend on the
+ * number of tasks. */
+LeftOut
+sumAll(const Summation& summation, std::size_t tasks, SharedCells& all)
+{
   std::vector<LeftOut> of_tasks(tasks);
   std::atomic<std::size_t> next = 0;
   const auto sumShared = [&](std::size_t task) {
-    CellTable near(std::min(points.size(), points_of_near_cells));
+    CellTable near(std::min(summation.size(), points_of_near_cells));
     for (std::size_t stretch; (stretch = next++) < summation.stretches();) {
       near.clear();
       summation.sum(stretch, near, of_tasks[task]);
       all.join(near);
     }
   };
-  if (points.size() >= 2 * worth_a_thread)
+  if (all.parts() > 1 || summation.size() >= 2 * worth_a_thread)
     oneapi::tbb::parallel_for(std::size_t{0}, tasks, sumShared);
   else
     for (std::size_t stretch = 0; stretch < summation.stretches(); ++stretch)
       summation.sum(stretch, all.only(), of_tasks.front());
-  all.moveTo(voxels);
   LeftOut left_out;
   for (const LeftOut& of_task : of_tasks) {
     left_out.invalid += of_task.invalid;
     left_out.distant += of_task.distant;
   }
   return left_out;
+}
+
+/** Adds the cells of other processes. */
+void
+joinShares(const PointShares& shares, SharedCells& all, LeftOut& left_out)
+{
+  while (std::optional<ByteParcel> parcel = shares.receive()) {
+    left_out.invalid += parcel->take<std::size_t>();
+    left_out.distant += parcel->take<std::size_t>();
+    all.join(unpackedCells(*parcel));
+  }
 }
 
 } // namespace
@@ -216,11 +243,46 @@ sumVoxels(const PointView& points,
   return withThreads(threads, [&] {
     VoxelMoments voxels;
     voxels.lattice = VoxelLattice(points, edge);
-    const Summation summation(points, sensors, colors, voxels.lattice);
-    const LeftOut left_out = sumAll(summation, points, voxels);
+    const PointShares* const shares = points.shares();
+    if (shares)
+      shares->request(voxels.lattice, sensors.isKnown(), static_cast<bool>(colors));
+    const std::size_t size = shares ? shares->own : points.size();
+    const std::size_t tasks = tasksFor(size);
+    SharedCells all(tasks > 1 || shares ? limitsOf(points, voxels.lattice)
+                                        : std::vector<VoxelKey>());
+    const Summation summation(points, size, sensors, colors, voxels.lattice);
+    LeftOut left_out = sumAll(summation, tasks, all);
+    if (shares)
+      joinShares(*shares, all, left_out);
+    all.moveTo(voxels);
     voxels.invalid_points = left_out.invalid;
     voxels.distant_points = left_out.distant;
     return voxels;
+  });
+}
+
+void
+sendCells(const PointView& points,
+          const SensorView& sensors,
+          const ColorView& colors,
+          const VoxelLattice& lattice,
+          std::int32_t first,
+          unsigned threads,
+          const std::function<void(ByteParcel)>& send)
+{
+  withThreads(threads, [&] {
+    SharedCells all(limitsOf(points, lattice));
+    LeftOut left_out =
+        sumAll(Summation(points, points.size(), sensors, colors, lattice),
+               tasksFor(points.size()),
+               all);
+    for (std::size_t part = 0; part < all.parts(); ++part) {
+      ByteParcel parcel;
+      parcel.put(std::exchange(left_out.invalid, 0));
+      parcel.put(std::exchange(left_out.distant, 0));
+      packCells(all.take(part), first, parcel);
+      send(std::move(parcel));
+    }
   });
 }
 

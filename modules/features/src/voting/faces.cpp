@@ -29,10 +29,10 @@ faceOf(const PointView& points, const TriangleMesh::Triangle& triangle)
 
 } // namespace
 
-std::vector<Face>
-facesOf(const PointView& points, const std::vector<TriangleMesh::Triangle>& triangles)
+LargeVector<Face>
+facesOf(const PointView& points, const TriangleMesh::Triangles& triangles)
 {
-  std::vector<Face> faces(triangles.size());
+  LargeVector<Face> faces(triangles.size());
   parallelForChunks(triangles.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
       faces[t] = faceOf(points, triangles[t]);

@@ -7,11 +7,11 @@
 namespace pcl::acmap::voting {
 
 VertexRings::VertexRings(const PointView& points,
-                         const std::vector<TriangleMesh::Triangle>& triangles,
-                         const std::vector<Face>& faces)
+                         const TriangleMesh::Triangles& triangles,
+                         const LargeVector<Face>& faces)
 {
   // an edge is found once in each of its triangles: duplicates are removed below
-  std::vector<std::size_t> next(points.size() + 1, 0);
+  LargeVector<std::size_t> next(points.size() + 1, 0);
   first_owned_.assign(points.size() + 1, 0);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (faces[t].area > 0) {
@@ -23,9 +23,9 @@ VertexRings::VertexRings(const PointView& points,
     next[v + 1] += next[v];
     first_owned_[v + 1] += first_owned_[v];
   }
-  std::vector<std::int32_t> others(next.back());
+  LargeVector<std::int32_t> others(next.back());
   owned_.resize(first_owned_.back());
-  std::vector<std::size_t> begin(next.begin(), next.end() - 1),
+  LargeVector<std::size_t> begin(next.begin(), next.end() - 1),
       owner(first_owned_.begin(), first_owned_.end() - 1);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (faces[t].area > 0) {

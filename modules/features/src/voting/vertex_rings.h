@@ -1,10 +1,10 @@
 #pragma once
 
 #include <pcl/core/impl/point_view.h>
+#include <pcl/core/scratch_memory.h>
 #include <pcl/core/triangle_mesh.h>
 
 #include <cstdint>
-#include <vector>
 
 namespace pcl::acmap::voting {
 
@@ -16,8 +16,8 @@ struct Face {
   float area = 0; ///< 0: it does not vote
 };
 
-std::vector<Face>
-facesOf(const PointView& points, const std::vector<TriangleMesh::Triangle>& triangles);
+LargeVector<Face>
+facesOf(const PointView& points, const TriangleMesh::Triangles& triangles);
 
 /** An edge as seen from one of its ends. */
 struct Spoke {
@@ -30,8 +30,8 @@ struct Spoke {
 class VertexRings {
 public:
   VertexRings(const PointView& points,
-              const std::vector<TriangleMesh::Triangle>& triangles,
-              const std::vector<Face>& faces);
+              const TriangleMesh::Triangles& triangles,
+              const LargeVector<Face>& faces);
 
   struct Spokes {
     const Spoke* begin_;
@@ -85,9 +85,9 @@ public:
   }
 
 private:
-  std::vector<std::size_t> first_spoke_, first_owned_;
-  std::vector<Spoke> spokes_;
-  std::vector<std::uint32_t> owned_;
+  LargeVector<std::size_t> first_spoke_, first_owned_;
+  LargeVector<Spoke> spokes_;
+  LargeVector<std::uint32_t> owned_;
   double mean_edge_ = 0;
 };
 

@@ -8,12 +8,11 @@ namespace pcl::acmap::voting {
 /** The mesh with its precomputed faces and rings, shared by all voters. */
 struct Electorate {
   const PointView& points;
-  const std::vector<TriangleMesh::Triangle>& triangles;
-  std::vector<Face> faces;
+  const TriangleMesh::Triangles& triangles;
+  LargeVector<Face> faces;
   VertexRings rings;
 
-  Electorate(const PointView& points,
-             const std::vector<TriangleMesh::Triangle>& triangles)
+  Electorate(const PointView& points, const TriangleMesh::Triangles& triangles)
   : points(points)
   , triangles(triangles)
   , faces(facesOf(points, triangles))

@@ -126,7 +126,7 @@ voteCurvatures(const PointView& points,
 
 VotedNormals
 voteNormals(const PointView& points,
-            const std::vector<TriangleMesh::Triangle>& triangles,
+            const TriangleMesh::Triangles& triangles,
             const SensorView& sensors,
             const VotingSettings& settings,
             const Progress& progress,

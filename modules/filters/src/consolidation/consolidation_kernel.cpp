@@ -41,7 +41,7 @@ agreement(const Representative& a, const Representative& b)
 
 class SignSpreading {
 public:
-  SignSpreading(std::vector<Representative>& representatives, double edge)
+  SignSpreading(LargeVector<Representative>& representatives, double edge)
   : all_(representatives)
   , radius_(static_cast<float>(1.8 * edge))
   , hash_(entriesOf(representatives), radius_)
@@ -64,10 +64,10 @@ private:
     return !std::isnan(representative.normal.x());
   }
 
-  static std::vector<PointHash::Entry>
-  entriesOf(const std::vector<Representative>& representatives)
+  static LargeVector<PointHash::Entry>
+  entriesOf(const LargeVector<Representative>& representatives)
   {
-    std::vector<PointHash::Entry> entries;
+    LargeVector<PointHash::Entry> entries;
     for (std::uint32_t i = 0; i < representatives.size(); ++i)
       if (hasNormal(representatives[i]))
         entries.push_back({representatives[i].point, i});
@@ -77,7 +77,7 @@ private:
   void
   spreadFrom(std::uint32_t seed)
   {
-    std::vector<std::uint32_t> component;
+    LargeVector<std::uint32_t> component;
     std::size_t flipped = 0;
     std::priority_queue<SignPropagation> steps;
     steps.push({0, seed, seed});
@@ -88,6 +88,8 @@ private:
         continue;
       is_done_[step.to] = true;
       component.push_back(step.to);
+      if (component.size() % parallel_chunk == 0)
+        keepScratchSmall();
       if (step.to != step.from && agreement(all_[step.from], all_[step.to]) < 0) {
         all_[step.to].normal *= -1;
         ++flipped;
@@ -127,18 +129,18 @@ private:
     bool is_queued = false;
   };
 
-  std::vector<Representative>& all_;
+  LargeVector<Representative>& all_;
   float radius_; // metres
   PointHash hash_;
-  std::vector<bool> is_done_;
-  std::vector<Queued> flattest_;
+  LargeVector<std::uint8_t> is_done_;
+  LargeVector<Queued> flattest_;
 };
 
 /** \brief Are the sensor positions consistent with the surfaces? If more than 5 % of
  * the surface is seen edge-on, the sensor was not there: this happens for the origin if
  * a file has no pose. Returns false if no sensor is known. */
 bool
-fitTheirSensors(const std::vector<Representative>& representatives,
+fitTheirSensors(const LargeVector<Representative>& representatives,
                 const SensorView& sensors)
 {
   if (!sensors.isKnown())
@@ -174,7 +176,7 @@ fitTheirSensors(const std::vector<Representative>& representatives,
  * \param[in] representatives their normals are changed
  * \param[in] edge of a voxel, metres */
 void
-makeNormalsAgree(std::vector<Representative>& representatives, double edge)
+makeNormalsAgree(LargeVector<Representative>& representatives, double edge)
 {
   SignSpreading(representatives, edge).run();
 }
@@ -204,7 +206,7 @@ describe(const VoxelMoments& voxels,
   report.sigma = noise.medianThickness() * report.voxel_size;
   report.two_sided_voxels = fits.second.size();
   report.narrowed_windows = fits.narrowed;
-  std::vector<float> counts;
+  LargeVector<float> counts;
   for (const SurfaceFit& fit : fits.first)
     counts.push_back(fit.count);
   if (counts.empty())
@@ -227,10 +229,10 @@ remarkOnPoints(const VoxelMoments& voxels, ConsolidationReport& report)
                              "and were left out");
 }
 
-std::vector<Representative>
+LargeVector<Representative>
 keptOf(const LargeVector<Candidate>& candidates, const Thinning& thinning)
 {
-  std::vector<Representative> kept(thinning.kept.size());
+  LargeVector<Representative> kept(thinning.kept.size());
   parallelForChunks(kept.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r)
       kept[r] = candidates[thinning.kept[r]].representative;
@@ -239,7 +241,7 @@ keptOf(const LargeVector<Candidate>& candidates, const Thinning& thinning)
 }
 
 void
-faceSensors(std::vector<Representative>& representatives,
+faceSensors(LargeVector<Representative>& representatives,
             const SensorView& sensors,
             double edge,
             ConsolidationReport& report)
@@ -300,8 +302,7 @@ consolidatePoints(const PointView& points,
         result.representatives.end(),
         [](const Representative& r) { return std::isnan(r.normal.x()); }));
     faceSensors(result.representatives, sensors, edge, report);
-    const std::vector<std::int32_t> of_cell =
-        representativesOfCells(windows, candidates, thinning);
+    const PointLabels of_cell = representativesOfCells(windows, candidates, thinning);
     setMeanColors(voxels, of_cell, result.representatives);
     timer.finish("representatives");
     if (settings.keep_sources) {

@@ -7,13 +7,13 @@
 
 namespace pcl::acmap {
 
-std::vector<std::int32_t>
+PointLabels
 representativesOfCells(const VoxelWindows& windows,
                        const LargeVector<Candidate>& candidates,
                        const Thinning& thinning)
 {
   const auto& cells = windows.voxels().cells;
-  std::vector<std::int32_t> of_cell(cells.size());
+  PointLabels of_cell(cells.size());
   parallelForChunks(windows.size(), [&](std::size_t begin, std::size_t end) {
     auto first = static_cast<std::size_t>(
         std::lower_bound(candidates.begin(),
@@ -41,13 +41,13 @@ representativesOfCells(const VoxelWindows& windows,
 
 void
 setMeanColors(const VoxelMoments& voxels,
-              const std::vector<std::int32_t>& of_cell,
-              std::vector<Representative>& representatives)
+              const PointLabels& of_cell,
+              LargeVector<Representative>& representatives)
 {
   if (voxels.colors.empty())
     return;
-  std::vector<ColorSum> sums(representatives.size());
-  std::vector<double> counts(representatives.size());
+  LargeVector<ColorSum> sums(representatives.size());
+  LargeVector<double> counts(representatives.size());
   for (std::size_t c = 0; c < voxels.colors.size(); ++c) {
     const auto r = static_cast<std::size_t>(of_cell[c]);
     sums[r].red += voxels.colors[c].red;
@@ -67,15 +67,15 @@ setMeanColors(const VoxelMoments& voxels,
   });
 }
 
-std::vector<std::int32_t>
+PointLabels
 representativesOf(const PointView& points,
                   const SensorView& sensors,
                   const VoxelMoments& voxels,
-                  const std::vector<std::int32_t>& of_cell)
+                  const PointLabels& of_cell)
 {
   const auto& cells = voxels.cells;
   const VoxelLattice& lattice = voxels.lattice;
-  std::vector<std::int32_t> result(points.size(), -1);
+  PointLabels result(points.size(), -1);
   parallelForChunks(points.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       VoxelHit hit;

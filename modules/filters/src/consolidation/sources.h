@@ -7,7 +7,7 @@ namespace pcl::acmap {
 /** \brief For each cell the representative of its voxel and side, or the one that
  * displaced it. If its side has no representative, the first one of the voxel is used.
  */
-std::vector<std::int32_t>
+PointLabels
 representativesOfCells(const VoxelWindows& windows,
                        const LargeVector<Candidate>& candidates,
                        const Thinning& thinning);
@@ -17,15 +17,15 @@ representativesOfCells(const VoxelWindows& windows,
  * \param[in] of_cell from \ref representativesOfCells */
 void
 setMeanColors(const VoxelMoments& voxels,
-              const std::vector<std::int32_t>& of_cell,
-              std::vector<Representative>& representatives);
+              const PointLabels& of_cell,
+              LargeVector<Representative>& representatives);
 
 /** \brief For each point of a view its representative, -1 if there is none. This is a
  * second pass over the points. */
-std::vector<std::int32_t>
+PointLabels
 representativesOf(const PointView& points,
                   const SensorView& sensors,
                   const VoxelMoments& voxels,
-                  const std::vector<std::int32_t>& of_cell);
+                  const PointLabels& of_cell);
 
 } // namespace pcl::acmap

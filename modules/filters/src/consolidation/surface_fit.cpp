@@ -74,7 +74,7 @@ fitWidest(const VoxelWindows& windows, LargeVector<SurfaceFit>& fits)
 
 /** Result for a chunk of voxels. */
 struct Refinement {
-  std::vector<std::pair<std::uint32_t, SurfaceFit>> second;
+  LargeVector<std::pair<std::uint32_t, SurfaceFit>> second;
   std::size_t narrowed = 0;
 };
 

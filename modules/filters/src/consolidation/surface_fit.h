@@ -30,7 +30,7 @@ struct SurfaceFits {
 
   /** Second surface of the voxels that were seen from both sides, in ascending order of
    * voxels. */
-  std::vector<std::pair<std::uint32_t, SurfaceFit>> second;
+  LargeVector<std::pair<std::uint32_t, SurfaceFit>> second;
 
   std::size_t narrowed = 0;
 };

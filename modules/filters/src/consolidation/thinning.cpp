@@ -35,39 +35,39 @@ isCloser(const Conflict& a, const Conflict& b)
          std::pair(b.squared_distance, b.earlier);
 }
 
-/** The conflicts of each candidate with earlier ones, in the lists of the chunks in which
+/** The conflicts of some candidates with earlier ones, in the lists of the chunks in which
  * they were found: joining these would take as long as the search. */
 class Conflicts {
 public:
-  explicit Conflicts(std::size_t candidates)
-  : chunks_((candidates + parallel_chunk - 1) / parallel_chunk)
-  , ends_(candidates)
-  {}
-
-  /** Sets those of a chunk of candidates: find (candidate, list) appends to the list. */
+  /** Finds those of candidates: find (candidate, list) appends to the list. */
   template <typename Find>
   void
-  setChunk(std::size_t begin, std::size_t end, const Find& find)
+  set(const std::uint32_t* candidates, std::size_t size, const Find& find)
   {
-    std::vector<Conflict>& found = chunks_[begin / parallel_chunk];
-    for (std::size_t c = begin; c < end; ++c) {
-      find(static_cast<std::uint32_t>(c), found);
-      ends_[c] = static_cast<std::uint32_t>(found.size());
-    }
+    chunks_.resize((size + parallel_chunk - 1) / parallel_chunk);
+    ends_.resize(size);
+    parallelForChunks(size, [&](std::size_t begin, std::size_t end) {
+      std::vector<Conflict>& found = chunks_[begin / parallel_chunk];
+      found.clear();
+      for (std::size_t i = begin; i < end; ++i) {
+        find(candidates[i], found);
+        ends_[i] = static_cast<std::uint32_t>(found.size());
+      }
+    });
+  }
+
+  /** \param[in] place of the candidate among those that were given */
+  const Conflict*
+  begin(std::size_t place) const
+  {
+    const std::size_t first = place % parallel_chunk == 0 ? 0 : ends_[place - 1];
+    return chunks_[place / parallel_chunk].data() + first;
   }
 
   const Conflict*
-  begin(std::uint32_t candidate) const
+  end(std::size_t place) const
   {
-    const std::size_t first =
-        candidate % parallel_chunk == 0 ? 0 : ends_[candidate - 1];
-    return chunks_[candidate / parallel_chunk].data() + first;
-  }
-
-  const Conflict*
-  end(std::uint32_t candidate) const
-  {
-    return chunks_[candidate / parallel_chunk].data() + ends_[candidate];
+    return chunks_[place / parallel_chunk].data() + ends_[place];
   }
 
 private:
@@ -82,30 +82,6 @@ public:
   , edge_(edge)
   , hash_(entriesOf(candidates), static_cast<float>(min_distance_of_strays * edge))
   {}
-
-  Conflicts
-  run() const
-  {
-    Conflicts conflicts(candidates_.size());
-    parallelForChunks(candidates_.size(), [&](std::size_t begin, std::size_t end) {
-      conflicts.setChunk(
-          begin, end, [&](std::uint32_t later, auto& found) { find(later, found); });
-    });
-    return conflicts;
-  }
-
-private:
-  static std::vector<PointHash::Entry>
-  entriesOf(const LargeVector<Candidate>& candidates)
-  {
-    std::vector<PointHash::Entry> entries(candidates.size());
-    parallelForChunks(candidates.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c)
-        entries[c] = {candidates[c].representative.point,
-                      static_cast<std::uint32_t>(c)};
-    });
-    return entries;
-  }
 
   void
   find(std::uint32_t later, std::vector<Conflict>& found) const
@@ -124,6 +100,19 @@ private:
     });
   }
 
+private:
+  static LargeVector<PointHash::Entry>
+  entriesOf(const LargeVector<Candidate>& candidates)
+  {
+    LargeVector<PointHash::Entry> entries(candidates.size());
+    parallelForChunks(candidates.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c)
+        entries[c] = {candidates[c].representative.point,
+                      static_cast<std::uint32_t>(c)};
+    });
+    return entries;
+  }
+
   bool
   comesBefore(std::uint32_t a, std::uint32_t b) const
   {
@@ -135,40 +124,79 @@ private:
   PointHash hash_;
 };
 
-/** The candidates inside of their voxels, then the others by their displacement. */
-std::vector<std::uint32_t>
-orderOf(const LargeVector<Candidate>& candidates)
-{
-  std::vector<std::uint32_t> order;
-  order.reserve(candidates.size());
-  std::vector<std::pair<float, std::uint32_t>> strays;
-  for (std::uint32_t c = 0; c < candidates.size(); ++c)
-    if (candidates[c].strayed == 0)
-      order.push_back(c);
-    else
-      strays.emplace_back(candidates[c].strayed, c);
-  std::sort(strays.begin(), strays.end());
-  for (const auto& [strayed, candidate] : strays)
-    order.push_back(candidate);
-  return order;
-}
+/** Decides one candidate after the other which of them are kept. */
+class Decisions {
+public:
+  explicit Decisions(std::size_t candidates)
+  : displaced_by(candidates, -1)
+  {}
 
-/** Decides one candidate after the other which of them are kept.
- * \return for each candidate the closest kept one that displaces it, -1 if it is kept */
-std::vector<std::int32_t>
-displacements(const LargeVector<Candidate>& candidates, const Conflicts& conflicts)
-{
-  std::vector<std::int32_t> displaced_by(candidates.size(), -1);
-  for (const std::uint32_t candidate : orderOf(candidates)) {
+  /** \param[in] begin, end its conflicts with earlier candidates */
+  void
+  decide(std::uint32_t candidate, const Conflict* begin, const Conflict* end)
+  {
     const Conflict* closest = nullptr;
-    const Conflict* const end = conflicts.end(candidate);
-    for (const Conflict* k = conflicts.begin(candidate); k != end; ++k)
+    for (const Conflict* k = begin; k != end; ++k)
       if (displaced_by[k->earlier] < 0 && (!closest || isCloser(*k, *closest)))
         closest = k;
     if (closest)
       displaced_by[candidate] = static_cast<std::int32_t>(closest->earlier);
   }
-  return displaced_by;
+
+  /** For each candidate the closest kept one that displaces it, -1 if it is kept. */
+  PointLabels displaced_by;
+};
+
+/** Finds the conflicts of candidates in their order in space, some at a time: those of
+ * all of them would not fit into the memory.
+ * \param[in] use called with (place among them, begin, end of its conflicts) */
+template <typename Use>
+void
+findConflicts(const ConflictSearch& search,
+              const LargeVector<std::uint32_t>& candidates,
+              const Use& use)
+{
+  constexpr std::size_t at_a_time = 64 * parallel_chunk;
+  Conflicts conflicts;
+  for (std::size_t first = 0; first < candidates.size(); first += at_a_time) {
+    const std::size_t size = std::min(at_a_time, candidates.size() - first);
+    conflicts.set(&candidates[first], size, [&](std::uint32_t later, auto& found) {
+      search.find(later, found);
+    });
+    for (std::size_t i = 0; i < size; ++i)
+      use(first + i, conflicts.begin(i), conflicts.end(i));
+  }
+}
+
+/** The candidates inside of their voxels come first, then the others by their
+ * displacement. */
+PointLabels
+displacements(const LargeVector<Candidate>& candidates, double edge)
+{
+  LargeVector<std::uint32_t> inside, strays;
+  for (std::uint32_t c = 0; c < candidates.size(); ++c)
+    (candidates[c].strayed == 0 ? inside : strays).push_back(c);
+  const ConflictSearch search(candidates, edge);
+  Decisions decisions(candidates.size());
+  findConflicts(search, inside, [&](std::size_t place, const auto* begin, auto* end) {
+    decisions.decide(inside[place], begin, end);
+  });
+
+  LargeVector<Conflict> found;
+  LargeVector<std::size_t> ends;
+  LargeVector<std::pair<float, std::uint32_t>> order; // displacements and places
+  findConflicts(search, strays, [&](std::size_t place, const auto* begin, auto* end) {
+    found.insert(found.end(), begin, end);
+    ends.push_back(found.size());
+    order.emplace_back(candidates[strays[place]].strayed,
+                       static_cast<std::uint32_t>(place));
+  });
+  std::sort(order.begin(), order.end());
+  for (const auto& [strayed, place] : order)
+    decisions.decide(strays[place],
+                     found.data() + (place > 0 ? ends[place - 1] : 0),
+                     found.data() + ends[place]);
+  return std::move(decisions.displaced_by);
 }
 
 } // namespace
@@ -176,8 +204,7 @@ displacements(const LargeVector<Candidate>& candidates, const Conflicts& conflic
 Thinning
 thinOut(const LargeVector<Candidate>& candidates, double edge)
 {
-  const std::vector<std::int32_t> displaced_by =
-      displacements(candidates, ConflictSearch(candidates, edge).run());
+  const PointLabels displaced_by = displacements(candidates, edge);
   Thinning thinning;
   thinning.stand_in.assign(candidates.size(), -1);
   for (std::uint32_t c = 0; c < candidates.size(); ++c)

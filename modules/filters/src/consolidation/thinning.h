@@ -2,17 +2,15 @@
 
 #include "consolidation/candidates.h"
 
-#include <vector>
-
 namespace pcl::acmap {
 
 /** \brief The candidates that are kept, and the replacements of the others. */
 struct Thinning {
-  std::vector<std::uint32_t> kept; ///< indices of candidates, ascending
+  LargeVector<std::uint32_t> kept; ///< indices of candidates, ascending
 
   /** For each candidate the index in \ref kept of itself or of the one that displaced
    * it. */
-  std::vector<std::int32_t> stand_in;
+  PointLabels stand_in;
 };
 
 /** \brief Removes candidates closer than 0.7 edges (0.85 if they left their voxel) to

@@ -14,6 +14,15 @@ openTumSequence(const std::string& folder, const RgbdSequenceSettings& settings)
 bool
 isTumSequence(const std::string& folder);
 
+/** \brief Opens the layout of Open3D: folders depth and color, image or rgb,
+ * camera_intrinsic.json, trajectory.log. */
+RgbdSequence
+openOpen3dSequence(const std::string& folder, const RgbdSequenceSettings& settings);
+
+/** \brief Does a folder have the layout of \ref openOpen3dSequence? */
+bool
+isOpen3dSequence(const std::string& folder);
+
 /** \brief Opens the layout of 7-Scenes: frame-000000.color.jpg, .depth.png,
  * .pose.txt. */
 RgbdSequence

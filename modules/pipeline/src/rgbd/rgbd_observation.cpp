@@ -21,17 +21,40 @@ sizeOf(const Image& image)
 }
 
 /** \param[in] channels numbers per pixel */
-template <typename Image>
+template <typename Image, typename Values>
 void
-requireComplete(const Image& image, std::size_t channels)
+requireComplete(const Image& image, const Values& values, std::size_t channels)
 {
   const bool is_sound = image.width > 0 && image.height > 0;
-  if (!is_sound || image.values.size() != channels *
-                                              static_cast<std::size_t>(image.width) *
-                                              static_cast<std::size_t>(image.height))
+  if (!is_sound || values.size() != channels * static_cast<std::size_t>(image.width) *
+                                        static_cast<std::size_t>(image.height))
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "an image of " << acmap::sizeText(sizeOf(image)) << " has "
-                                       << image.values.size() << " values");
+                                       << values.size() << " values");
+}
+
+/** \brief The points of an image.
+ * \param[in] metres depth of a pixel by its index; 0: nothing was measured */
+template <typename Image, typename Metres>
+std::vector<Eigen::Vector3f>
+pointsOf(const Image& image, const Pinhole& camera, const Metres& metres)
+{
+  const Eigen::Vector3f nothing =
+      Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+  std::vector<Eigen::Vector3f> points(static_cast<std::size_t>(image.width) *
+                                          static_cast<std::size_t>(image.height),
+                                      nothing);
+  std::size_t index = 0;
+  for (std::int32_t row = 0; row < image.height; ++row)
+    for (std::int32_t column = 0; column < image.width; ++column, ++index) {
+      const double z = metres(index);
+      if (z > 0.0)
+        points[index] = (z * Eigen::Vector3d((column - camera.cx) / camera.fx,
+                                             (row - camera.cy) / camera.fy,
+                                             1.0))
+                            .cast<float>();
+    }
+  return points;
 }
 
 void
@@ -136,30 +159,26 @@ measuredPoints(const GrayImage16& depth,
                const Pinhole& camera,
                const DepthMeaning& meaning)
 {
-  requireComplete(depth, 1);
+  requireComplete(depth, depth.values, 1);
   requireCamera(camera);
   if (!(meaning.scale > 0))
     acmap::refuseArgument("scale of a depth image", meaning.scale, "above 0");
-  const Eigen::Vector3f nothing =
-      Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
-  std::vector<Eigen::Vector3f> points(depth.values.size(), nothing);
-  std::size_t index = 0;
-  for (std::int32_t row = 0; row < depth.height; ++row)
-    for (std::int32_t column = 0; column < depth.width; ++column, ++index) {
-      const double z = meaning.metres(depth.values[index]);
-      if (z > 0.0)
-        points[index] = (z * Eigen::Vector3d((column - camera.cx) / camera.fx,
-                                             (row - camera.cy) / camera.fy,
-                                             1.0))
-                            .cast<float>();
-    }
-  return points;
+  return pointsOf(
+      depth, camera, [&](std::size_t i) { return meaning.metres(depth.values[i]); });
+}
+
+std::vector<Eigen::Vector3f>
+measuredPoints(const DepthImage& depth, const Pinhole& camera)
+{
+  requireComplete(depth, depth.metres, 1);
+  requireCamera(camera);
+  return pointsOf(depth, camera, [&](std::size_t i) { return depth.metres[i]; });
 }
 
 PCLPointCloud2
 observationCloud(const RgbImage& color, const std::vector<Eigen::Vector3f>& points)
 {
-  requireComplete(color, 3);
+  requireComplete(color, color.values, 3);
   if (3 * points.size() != color.values.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "there are " << points.size() << " points for an image of "
@@ -176,7 +195,7 @@ registeredCloud(const RgbImage& color,
                 const std::vector<Eigen::Vector3f>& points,
                 const ColorCamera& color_camera)
 {
-  requireComplete(color, 3);
+  requireComplete(color, color.values, 3);
   requireCamera(color_camera.pinhole);
   const Pinhole& seen = color_camera.pinhole;
   const Eigen::Isometry3d T_color_depth = color_camera.T_depth_color.inverse();
@@ -200,30 +219,42 @@ registeredCloud(const RgbImage& color,
 }
 
 RgbdObservation
+makeRgbdObservation(const RgbImage& color,
+                    std::vector<Eigen::Vector3f> points,
+                    const ImageSize& depth_size,
+                    const RgbdCameras& cameras,
+                    unsigned threads)
+{
+  RgbdObservation observation;
+  observation.sizes = {sizeOf(color), depth_size};
+  PointCloud<PointXYZ> view;
+  for (const Eigen::Vector3f& point : points)
+    view.push_back(PointXYZ(point.x(), point.y(), point.z()));
+  view.width = static_cast<std::uint32_t>(depth_size.width);
+  view.height = static_cast<std::uint32_t>(depth_size.height);
+  if (refineQuantisedDepth(view, cameras.sensor, threads)) {
+    observation.is_refined = true;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i] = view[i].getVector3fMap();
+  }
+  observation.cloud = cameras.color ? registeredCloud(color, points, *cameras.color)
+                                    : observationCloud(color, points);
+  return observation;
+}
+
+RgbdObservation
 loadRgbdObservation(const RgbdFrame& frame,
                     const RgbdCameras& cameras,
                     const RgbdImageSizes& sizes,
                     unsigned threads)
 {
   const FrameImages images = loadImages(frame, cameras, sizes);
-  RgbdObservation observation;
-  observation.sizes = {sizeOf(images.color), sizeOf(images.depth)};
-  std::vector<Eigen::Vector3f> points =
-      measuredPoints(images.depth, cameras.depth, cameras.meaning);
-  PointCloud<PointXYZ> view;
-  for (const Eigen::Vector3f& point : points)
-    view.push_back(PointXYZ(point.x(), point.y(), point.z()));
-  view.width = static_cast<std::uint32_t>(images.depth.width);
-  view.height = static_cast<std::uint32_t>(images.depth.height);
-  if (refineQuantisedDepth(view, cameras.sensor, threads)) {
-    observation.is_refined = true;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      points[i] = view[i].getVector3fMap();
-  }
-  observation.cloud = cameras.color
-                          ? registeredCloud(images.color, points, *cameras.color)
-                          : observationCloud(images.color, points);
-  return observation;
+  return makeRgbdObservation(
+      images.color,
+      measuredPoints(images.depth, cameras.depth, cameras.meaning),
+      sizeOf(images.depth),
+      cameras,
+      threads);
 }
 
 Eigen::Isometry3d

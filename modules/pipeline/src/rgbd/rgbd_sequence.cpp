@@ -85,15 +85,12 @@ openKnownLayout(const std::string& folder, const RgbdSequenceSettings& settings)
     return openTumSequence(folder, settings);
   if (isSevenScenesSequence(folder))
     return openSevenScenesSequence(folder, settings);
-  if (holdsOnlyRgbd(folder))
-    throw InputFileException(
-        folder +
-        ": is no RGB-D folder of a known layout, its images are not listed; "
-        "write rgb.txt and depth.txt into it, with a row of number and file for "
-        "each image, such as: 0 depth/000000.png");
+  if (isOpen3dSequence(folder) && holdsOnlyRgbd(folder))
+    return openOpen3dSequence(folder, settings);
   throw InputFileException(
-      folder + ": is no RGB-D folder; looked for rgb.txt and depth.txt (TUM), and for "
-               "frame-000000.color.jpg or .png with frame-000000.depth.png (7-Scenes)");
+      folder + ": is no RGB-D folder; looked for rgb.txt and depth.txt (TUM), for "
+               "frame-000000.color.jpg or .png with frame-000000.depth.png (7-Scenes), "
+               "and for folders depth and color, image or rgb (Open3D)");
 }
 
 std::string

@@ -1,3 +1,4 @@
+#include "rgbd/camera_path.h"
 #include "rgbd/layouts.h"
 #include "rgbd/stamp_matching.h"
 #include "rgbd/text_rows.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numeric>
 
 namespace pcl::acmap {
 
@@ -27,18 +27,6 @@ struct ImageList {
   std::vector<double> stamps;
   std::vector<std::string> paths;
 };
-
-/** \brief Indices that sort the stamps; equal stamps keep their order. */
-std::vector<std::size_t>
-risingOrder(const std::vector<double>& stamps)
-{
-  std::vector<std::size_t> order(stamps.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return stamps[a] < stamps[b];
-  });
-  return order;
-}
 
 /** Is a path inside the folder? Lists may come from an untrusted source. */
 bool
@@ -71,56 +59,6 @@ loadImageList(const fs::path& folder, const char* name)
     throw InputFileException(path + ": names no image");
   return rising;
 }
-
-/** \brief Interpolates the camera's pose between known poses that are close enough in
- * time. */
-class CameraPath {
-public:
-  CameraPath(const Trajectory& trajectory, double gap)
-  : gap_(gap)
-  {
-    for (const std::size_t i : risingOrder(trajectory.stamps)) {
-      stamps_.push_back(trajectory.stamps[i]);
-      poses_.push_back(trajectory.poses[i]);
-    }
-  }
-
-  /** \brief Interpolates between the poses before and after if both are close enough,
-   * otherwise returns the close one of them. */
-  std::optional<Eigen::Isometry3d>
-  at(double stamp) const
-  {
-    const auto next = std::lower_bound(stamps_.begin(), stamps_.end(), stamp);
-    const auto after = static_cast<std::size_t>(next - stamps_.begin());
-    const bool has_after = next != stamps_.end() && *next - stamp <= gap_;
-    const bool has_before = after > 0 && stamp - stamps_[after - 1] <= gap_;
-    if (has_before && has_after)
-      return between(after, stamp);
-    if (has_after)
-      return poses_[after];
-    if (has_before)
-      return poses_[after - 1];
-    return {};
-  }
-
-private:
-  Eigen::Isometry3d
-  between(std::size_t after, double stamp) const
-  {
-    const double begin = stamps_[after - 1];
-    const double share = (stamp - begin) / (stamps_[after] - begin);
-    const Eigen::Isometry3d& a = poses_[after - 1];
-    const Eigen::Isometry3d& b = poses_[after];
-    const Eigen::Quaterniond turn(a.linear());
-    Eigen::Isometry3d pose(turn.slerp(share, Eigen::Quaterniond(b.linear())));
-    pose.translation() = (1.0 - share) * a.translation() + share * b.translation();
-    return pose;
-  }
-
-  double gap_;
-  std::vector<double> stamps_;
-  std::vector<Eigen::Isometry3d> poses_;
-};
 
 void
 findPoses(const fs::path& folder, double gap, RgbdSequence& sequence)

@@ -11,7 +11,7 @@ constexpr std::size_t leaf_size = 12;
 
 } // namespace
 
-NearestPoints::NearestPoints(const std::vector<Eigen::Vector3d>& points)
+NearestPoints::NearestPoints(const LargeVector<Eigen::Vector3d>& points)
 {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i].allFinite())
@@ -24,7 +24,7 @@ NearestPoints::NearestPoints(const std::vector<Eigen::Vector3d>& points)
 }
 
 void
-NearestPoints::arrange(const std::vector<Eigen::Vector3d>& points,
+NearestPoints::arrange(const LargeVector<Eigen::Vector3d>& points,
                        std::size_t begin,
                        std::size_t end)
 {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/core/scratch_memory.h>
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -11,7 +13,7 @@ namespace pcl::acmap::cylinders {
  * finite are omitted. */
 class NearestPoints {
 public:
-  explicit NearestPoints(const std::vector<Eigen::Vector3d>& points);
+  explicit NearestPoints(const LargeVector<Eigen::Vector3d>& points);
 
   /** \param[out] found the nearest points in ascending order of distance, those of one
    * distance in the order of their numbers; fewer than \a count if there are no more */
@@ -51,7 +53,7 @@ private:
   };
 
   void
-  arrange(const std::vector<Eigen::Vector3d>& points,
+  arrange(const LargeVector<Eigen::Vector3d>& points,
           std::size_t begin,
           std::size_t end);
 
@@ -64,9 +66,9 @@ private:
     search.consider({(places_[i] - search.place).squaredNorm(), order_[i]});
   }
 
-  std::vector<std::int32_t> order_;     ///< the middle of a range divides it
-  std::vector<std::int8_t> axes_;       ///< of the division at each place of the order
-  std::vector<Eigen::Vector3d> places_; ///< of the points, in the order
+  LargeVector<std::int32_t> order_;     ///< the middle of a range divides it
+  LargeVector<std::int8_t> axes_;       ///< of the division at each place of the order
+  LargeVector<Eigen::Vector3d> places_; ///< of the points, in the order
 };
 
 } // namespace pcl::acmap::cylinders

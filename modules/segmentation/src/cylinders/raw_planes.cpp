@@ -19,7 +19,7 @@ namespace {
 /** One point and normal for each cell of a cloud. */
 struct CellCloud {
   std::vector<Eigen::Vector3f> points;
-  std::vector<Eigen::Vector3f> normals; ///< towards the sensors; NaN where not planar
+  LargeVector<Eigen::Vector3f> normals; ///< towards the sensors; NaN where not planar
 };
 
 CellCloud

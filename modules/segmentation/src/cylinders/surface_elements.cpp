@@ -29,7 +29,7 @@ struct Quadric {
 
 /** \param[in] chosen the first one is where the normal is wanted */
 Quadric
-quadricOf(const std::vector<Eigen::Vector3d>& points,
+quadricOf(const LargeVector<Eigen::Vector3d>& points,
           const std::vector<std::int32_t>& chosen,
           std::size_t size)
 {
@@ -73,8 +73,9 @@ quadricOf(const std::vector<Eigen::Vector3d>& points,
 
 constexpr double quartile_of_seven = 0.78; // rms of seven normal values
 
+template <typename Values>
 double
-lowerQuartile(std::vector<double>& values)
+lowerQuartile(Values& values)
 {
   const auto quarter = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
   std::nth_element(values.begin(), quarter, values.end());
@@ -137,7 +138,8 @@ SurfaceElements::setSpacing()
 void
 SurfaceElements::setPoints(const PointView& view)
 {
-  std::vector<double> coordinates;
+  LargeVector<double> coordinates;
+  points.reserve(view.size());
   for (std::size_t i = 0; i < view.size(); ++i)
     points.push_back(view[i].cast<double>());
   for (int axis = 0; axis < 3; ++axis) {
@@ -175,8 +177,8 @@ SurfaceElements::connectNearest(const NearestPoints& tree)
     for (std::size_t i = begin; i < end; ++i)
       tree.find(points[i], nearest + 1, found[i]);
   });
-  std::vector<std::size_t> first{0};
-  std::vector<std::int32_t> others;
+  LargeVector<std::size_t> first{0};
+  LargeVector<std::int32_t> others;
   for (std::size_t i = 0; i < size(); ++i) {
     for (const std::int32_t other : found[i])
       if (other != static_cast<std::int32_t>(i))
@@ -196,7 +198,7 @@ SurfaceElements::fitQuadrics(const NearestPoints& tree, double least)
   constexpr double max_rms = 0.06; // of the window
   const std::size_t quarter = size() / 4 + 1;
   std::atomic<std::size_t> quiet{0}; // points whose noise is below the least one
-  std::vector<double> rms(size(), nan);
+  LargeVector<double> rms(size(), nan);
   parallelForChunks(size(), [&](std::size_t begin, std::size_t end) {
     if (is_oriented && quiet >= quarter)
       return;
@@ -240,7 +242,7 @@ LocalNoise
 measureLocalNoise(const PointView& view)
 {
   constexpr std::size_t max_samples = 1500, nearest = 13;
-  std::vector<Eigen::Vector3d> points;
+  LargeVector<Eigen::Vector3d> points;
   for (std::size_t i = 0; i < view.size(); ++i)
     if (view[i].allFinite())
       points.push_back(view[i].cast<double>());

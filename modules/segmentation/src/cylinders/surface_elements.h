@@ -24,8 +24,8 @@ struct SurfaceElements {
    * measured */
   SurfaceElements(const PlaneHypotheses& hypotheses, double sigma);
 
-  std::vector<Eigen::Vector3d> points;
-  std::vector<Eigen::Vector3d> normals; ///< unit; NaN where there is none
+  LargeVector<Eigen::Vector3d> points;
+  LargeVector<Eigen::Vector3d> normals; ///< unit; NaN where there is none
 
   /** Is the normal that of a smooth surface? Not at edges. */
   std::vector<std::uint8_t> is_smooth;

@@ -13,12 +13,12 @@ slotOf(VoxelKey key, std::size_t mask)
 }
 
 /** All pairs of a voxel and a label in it, sorted, without duplicates. */
-std::vector<std::pair<VoxelKey, std::int32_t>>
+LargeVector<std::pair<VoxelKey, std::int32_t>>
 labeledVoxels(const KnownPlanes& known,
               const VoxelLattice& lattice,
               const std::vector<bool>& is_entered)
 {
-  std::vector<std::pair<VoxelKey, std::int32_t>> voxels;
+  LargeVector<std::pair<VoxelKey, std::int32_t>> voxels;
   VoxelHit hit;
   for (std::size_t i = 0; i < known.labels.size(); ++i)
     if ((is_entered.empty() || is_entered[i]) && lattice.locate(known.points[i], hit))
@@ -141,8 +141,8 @@ CandidateGrid::entry(VoxelKey key)
 void
 CandidateGrid::grow()
 {
-  std::vector<VoxelKey> keys(2 * keys_.size());
-  std::vector<std::int32_t> places(2 * keys_.size(), -1);
+  LargeVector<VoxelKey> keys(2 * keys_.size());
+  LargeVector<std::int32_t> places(2 * keys_.size(), -1);
   const std::size_t mask = keys.size() - 1;
   for (std::size_t old = 0; old < keys_.size(); ++old) {
     if (places_[old] < 0)

@@ -3,6 +3,7 @@
 #include "planes/known_planes.h"
 
 #include <pcl/core/impl/voxel_lattice.h>
+#include <pcl/core/scratch_memory.h>
 
 #include <algorithm>
 #include <array>
@@ -99,10 +100,10 @@ private:
   grow();
 
   VoxelLattice lattice_;
-  std::vector<VoxelKey> keys_;       ///< keys of the table's slots
-  std::vector<std::int32_t> places_; ///< entry of each slot, -1 if empty
-  std::vector<Candidates> entries_;
-  std::vector<VoxelKey> entry_keys_;
+  LargeVector<VoxelKey> keys_;       ///< keys of the table's slots
+  LargeVector<std::int32_t> places_; ///< entry of each slot, -1 if empty
+  LargeVector<Candidates> entries_;
+  LargeVector<VoxelKey> entry_keys_;
   std::size_t mask_ = 0;
 };
 

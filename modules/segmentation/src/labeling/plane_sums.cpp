@@ -156,7 +156,7 @@ private:
   const CandidateGrid& grid_;
   int coarseness_;
   std::vector<std::unordered_map<VoxelKey, std::size_t>> numbers_;
-  std::vector<std::int32_t> known_;
+  LargeVector<std::int32_t> known_;
 };
 
 } // namespace
@@ -174,7 +174,7 @@ sumClusters(const Survey& survey,
   members.forEachPlane([&](std::size_t plane, PlaneMembers::Range range) {
     const PlanePatch& patch = planes[plane].patch;
     const bool is_clean = sums[plane].isClean();
-    std::vector<FitSums>& clusters = sums[plane].clusters;
+    LargeVector<FitSums>& clusters = sums[plane].clusters;
     for (const std::size_t i : range) {
       if (i % parallel_chunk == 0)
         keepScratchSmall();

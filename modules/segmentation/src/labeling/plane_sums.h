@@ -14,7 +14,7 @@ constexpr double squared_gate = 9;
 struct PlaneSums {
   FitSums fit;   ///< over all points within the gate
   FitSums clean; ///< over those of them that are not near points without a plane
-  std::vector<FitSums> clusters; ///< parts of best (), one per cluster
+  LargeVector<FitSums> clusters; ///< parts of best (), one per cluster
   std::size_t points = 0;
   std::size_t clean_points = 0;
   std::size_t points_at_home = 0; ///< with any label, in voxels of its hypotheses

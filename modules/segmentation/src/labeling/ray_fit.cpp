@@ -69,7 +69,7 @@ Eigen::Matrix3d
 clusteredCovariance(const FitSums& sums,
                     double guess_weight,
                     const Eigen::Vector3d& solution,
-                    const std::vector<FitSums>& clusters)
+                    const LargeVector<FitSums>& clusters)
 {
   constexpr std::size_t min_clusters = 6;
   const Eigen::Matrix3d unknown =

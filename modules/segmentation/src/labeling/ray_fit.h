@@ -67,6 +67,6 @@ Eigen::Matrix3d
 clusteredCovariance(const FitSums& sums,
                     double guess_weight,
                     const Eigen::Vector3d& solution,
-                    const std::vector<FitSums>& clusters);
+                    const LargeVector<FitSums>& clusters);
 
 } // namespace pcl::acmap::labeling

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/core/scratch_memory.h>
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -125,7 +127,7 @@ private:
 
   int width_ = 0, height_ = 0;
   std::size_t words_a_row_ = 0;
-  std::vector<Word> words_;
+  LargeVector<Word> words_; // coplanar walls of a long building span all of it
 };
 
 /** Members of one row that are side by side: [from, to). */

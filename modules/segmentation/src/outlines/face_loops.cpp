@@ -13,7 +13,7 @@ struct RimEdge {
 
 /** Edges with a triangle on their left only, sorted by their first vertex. */
 std::vector<std::pair<std::int32_t, std::int32_t>>
-rimEdges(const std::vector<TriangleMesh::Triangle>& triangles)
+rimEdges(const TriangleMesh::Triangles& triangles)
 {
   std::vector<std::pair<std::int32_t, std::int32_t>> edges;
   for (const TriangleMesh::Triangle& t : triangles)
@@ -64,7 +64,7 @@ nextEdge(std::vector<RimEdge>& rim,
 } // namespace
 
 std::vector<std::vector<std::int32_t>>
-faceLoops(const std::vector<TriangleMesh::Triangle>& triangles,
+faceLoops(const TriangleMesh::Triangles& triangles,
           const std::vector<Eigen::Vector2d>& places)
 {
   return edgeLoops(rimEdges(triangles), places);

@@ -15,7 +15,7 @@ namespace pcl::acmap::outlines {
  * \param[in] triangles counter-clockwise in the plane
  * \param[in] places positions of all vertices in the plane */
 std::vector<std::vector<std::int32_t>>
-faceLoops(const std::vector<TriangleMesh::Triangle>& triangles,
+faceLoops(const TriangleMesh::Triangles& triangles,
           const std::vector<Eigen::Vector2d>& places);
 
 /** Same as \ref faceLoops, for sorted edges that have the surface on their left. */

@@ -1,22 +1,12 @@
 #include "outlines/loop.h"
 
+#include <pcl/core/impl/polyline_corners.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace pcl::acmap::outlines {
 namespace {
-
-double
-squaredDistance(const Eigen::Vector2d& point,
-                const Eigen::Vector2d& begin,
-                const Eigen::Vector2d& end)
-{
-  const Eigen::Vector2d way = end - begin;
-  const double square = way.squaredNorm();
-  const double along =
-      square > 0 ? std::clamp((point - begin).dot(way) / square, 0.0, 1.0) : 0.0;
-  return (begin + along * way - point).squaredNorm();
-}
 
 std::size_t
 farthestFrom(const Loop& loop, const Eigen::Vector2d& point)
@@ -57,35 +47,6 @@ segmentsCross(const Eigen::Vector2d& a,
     return false;
   place = c + c_side / (c_side - d_side) * (d - c);
   return true;
-}
-
-void
-markKept(const Loop& loop,
-         std::size_t begin,
-         std::size_t end,
-         double tolerance,
-         std::vector<std::uint8_t>& is_kept)
-{
-  std::vector<std::pair<std::size_t, std::size_t>> stretches{{begin, end}};
-  while (!stretches.empty()) {
-    const auto [first, last] = stretches.back();
-    stretches.pop_back();
-    double maximum = tolerance * tolerance;
-    std::size_t farthest = first;
-    for (std::size_t i = first + 1; i < last; ++i) {
-      const double square =
-          squaredDistance(loop[i], loop[first], loop[last % loop.size()]);
-      if (square > maximum) {
-        maximum = square;
-        farthest = i;
-      }
-    }
-    if (farthest == first)
-      continue;
-    is_kept[farthest] = 1;
-    stretches.emplace_back(first, farthest);
-    stretches.emplace_back(farthest, last);
-  }
 }
 
 double

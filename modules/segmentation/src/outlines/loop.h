@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -42,16 +41,6 @@ segmentsCross(const Eigen::Vector2d& a,
               const Eigen::Vector2d& c,
               const Eigen::Vector2d& d,
               Eigen::Vector2d& place);
-
-/** Marks the points of a loop, or of a polyline, that have to be kept between two points
- * that are kept, so that all are within \a tolerance (Douglas and Peucker).
- * \param[in] end number of the second one; the size of a loop is its first point */
-void
-markKept(const Loop& loop,
-         std::size_t begin,
-         std::size_t end,
-         double tolerance,
-         std::vector<std::uint8_t>& is_kept);
 
 /** Removes points while all of them are within \a tolerance of the simplified loop
  * (Douglas and Peucker). */

@@ -11,7 +11,7 @@ namespace pcl::acmap {
 namespace outlines {
 namespace {
 
-using Triangles = std::vector<TriangleMesh::Triangle>;
+using Triangles = TriangleMesh::Triangles;
 
 /** For each wanted plane the triangles that have all their vertices on it. */
 std::vector<Triangles>
@@ -200,7 +200,7 @@ rectangles(const KnownPlanes& known, std::size_t own, const CreaseSnap& snap)
 
 } // namespace
 
-MeshOutlines::MeshOutlines(const std::vector<TriangleMesh::Triangle>& triangles,
+MeshOutlines::MeshOutlines(const TriangleMesh::Triangles& triangles,
                            const std::vector<bool>& is_wanted,
                            const KnownPlanes& known)
 : known_(known)
@@ -229,8 +229,7 @@ MeshOutlines::outline(std::size_t plane, PlanePatch& patch) const
 } // namespace outlines
 
 void
-outlineFromMesh(const std::vector<TriangleMesh::Triangle>& triangles,
-                KnownPlanes& known)
+outlineFromMesh(const TriangleMesh::Triangles& triangles, KnownPlanes& known)
 {
   for (KnownPlane& plane : known.planes)
     plane.patch.area = 0; // of the outlines from here on; before, of its members

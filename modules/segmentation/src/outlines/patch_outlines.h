@@ -31,7 +31,7 @@ public:
   /** Takes time for all points and faces, unless no plane is wanted.
    * \param[in] is_wanted for each plane, will it be outlined?
    * \param[in] known must outlive this object */
-  MeshOutlines(const std::vector<TriangleMesh::Triangle>& triangles,
+  MeshOutlines(const TriangleMesh::Triangles& triangles,
                const std::vector<bool>& is_wanted,
                const KnownPlanes& known);
 
@@ -46,7 +46,7 @@ public:
 private:
   const KnownPlanes& known_;
   std::optional<labeling::CandidateGrid> grid_;
-  std::vector<std::vector<TriangleMesh::Triangle>> of_planes_;
+  std::vector<TriangleMesh::Triangles> of_planes_;
 };
 
 } // namespace outlines
@@ -54,7 +54,6 @@ private:
 /** Sets the polygons of all planes to the boundaries of the mesh, as in the paper's mode.
  * The area of each plane is set to that of its polygons. */
 void
-outlineFromMesh(const std::vector<TriangleMesh::Triangle>& triangles,
-                KnownPlanes& known);
+outlineFromMesh(const TriangleMesh::Triangles& triangles, KnownPlanes& known);
 
 } // namespace pcl::acmap

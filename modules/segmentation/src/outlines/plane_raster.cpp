@@ -206,7 +206,7 @@ placesOf(const KnownPlanes& known, const std::vector<PlaneRaster>& rasters)
 } // namespace
 
 void
-addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
+addFaces(const TriangleMesh::Triangles& triangles,
          const KnownPlanes& known,
          std::vector<PlaneRaster>& rasters)
 {

@@ -58,7 +58,7 @@ rastersOf(const KnownPlanes& known);
  * plane, or with two where the third is on no plane and nearly on this one. Sets the
  * points near rims. */
 void
-addFaces(const std::vector<TriangleMesh::Triangle>& triangles,
+addFaces(const TriangleMesh::Triangles& triangles,
          const KnownPlanes& known,
          std::vector<PlaneRaster>& rasters);
 

@@ -1,5 +1,7 @@
 #include "outlines/rim_lines.h"
 
+#include <pcl/core/impl/polyline_corners.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>

@@ -627,7 +627,7 @@ isNarrow(const KnownPlane& plane, double spacing)
 
 /** Adds the outlines of the mesh on narrow planes to the evidence. */
 void
-addNarrow(const std::vector<TriangleMesh::Triangle>& triangles,
+addNarrow(const TriangleMesh::Triangles& triangles,
           const KnownPlanes& known,
           std::vector<PlaneRaster>& rasters)
 {
@@ -687,7 +687,7 @@ planeBoundaries(const Creases& creases,
 } // namespace outlines
 
 std::size_t
-outlineFromEvidence(const std::vector<TriangleMesh::Triangle>& triangles,
+outlineFromEvidence(const TriangleMesh::Triangles& triangles,
                     const SensorView& sensors,
                     const LabeledSource& source,
                     KnownPlanes& known)

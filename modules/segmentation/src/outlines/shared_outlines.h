@@ -19,7 +19,7 @@ namespace pcl::acmap {
  * \return number of polygons that keep the corners of the evidence, because their
  * straightened edges would cross */
 std::size_t
-outlineFromEvidence(const std::vector<TriangleMesh::Triangle>& triangles,
+outlineFromEvidence(const TriangleMesh::Triangles& triangles,
                     const SensorView& sensors,
                     const LabeledSource& source,
                     KnownPlanes& known);

@@ -112,6 +112,8 @@ bandOf(std::size_t plane, const CellSet& seen, const Creases& creases)
   return rims;
 }
 
+using Sightings = LargeVector<Sighting>;
+
 /** \brief Finds the rays of points that meet their planes near rims. */
 class RimRays {
 public:
@@ -127,7 +129,7 @@ public:
    * inside of one plane are not looked at: they are neighbours in an image, or else
    * others are near the rims as well. */
   void
-  add(std::size_t first, std::size_t last, std::vector<Sighting>& sightings) const
+  add(std::size_t first, std::size_t last, Sightings& sightings) const
   {
     Sighting begin, end;
     if (meet(first, begin) && isInside(begin) && meet(last - 1, end) &&
@@ -169,7 +171,7 @@ private:
 
 /** The sightings near rims from a share of the points, evenly over all of them; each
  * plane's in the order of the points. */
-std::vector<std::vector<Sighting>>
+std::vector<Sightings>
 sightingsOf(const LabeledSource& source,
             std::size_t share,
             const std::vector<PlaneRaster>& rasters,
@@ -178,15 +180,15 @@ sightingsOf(const LabeledSource& source,
   constexpr std::size_t run = 16, runs_a_block = 1024; // points that follow one another
   const RimRays rays(source, rasters, rims);
   const std::size_t block = run * runs_a_block * share;
-  std::vector<std::vector<Sighting>> sightings(source.points.size() / block + 1);
+  std::vector<Sightings> sightings(source.points.size() / block + 1);
   oneapi::tbb::parallel_for(std::size_t{0}, sightings.size(), [&](std::size_t b) {
     const std::size_t end = std::min((b + 1) * block, source.points.size());
     for (std::size_t first = b * block; first < end; first += run * share)
       rays.add(first, std::min(first + run, end), sightings[b]);
   });
-  std::vector<std::vector<Sighting>> of_planes(rasters.size());
-  for (const std::vector<Sighting>& some : sightings)
-    for (const Sighting& sighting : some)
+  std::vector<Sightings> of_planes(rasters.size());
+  for (Sightings& of_block : sightings)
+    for (const Sighting& sighting : std::exchange(of_block, {}))
       of_planes[static_cast<std::size_t>(sighting.plane)].push_back(sighting);
   return of_planes;
 }
@@ -194,9 +196,7 @@ sightingsOf(const LabeledSource& source,
 /** Is the mean of the points' distances to a plane zero but for chance?
  * \param[in] numbers of sightings, at least 3 */
 bool
-areOnPlane(const std::vector<Sighting>& sightings,
-           const std::size_t* begin,
-           const std::size_t* end)
+areOnPlane(const Sightings& sightings, const std::size_t* begin, const std::size_t* end)
 {
   constexpr double max_deviations = 3; // of the mean
   double sum = 0, squares = 0;
@@ -214,7 +214,7 @@ areOnPlane(const std::vector<Sighting>& sightings,
  * plane: they belong to another surface, such as a reveal that is no plane of its own.
  * That is told for blocks of cells; where rays are few, for larger ones. */
 void
-dropForeign(const CellSet& seen, std::vector<Sighting>& sightings)
+dropForeign(const CellSet& seen, Sightings& sightings)
 {
   constexpr double sides[] = {2, 8}; // cells, of a block
   constexpr std::ptrdiff_t min_count = 3;
@@ -281,8 +281,7 @@ sharpenRims(const LabeledSource& source,
       1,
       source.points.size() /
           (rays_a_cell * static_cast<std::size_t>(std::max<std::int64_t>(cells, 1))));
-  std::vector<std::vector<Sighting>> sightings =
-      sightingsOf(source, share, rasters, rims);
+  std::vector<Sightings> sightings = sightingsOf(source, share, rasters, rims);
   oneapi::tbb::parallel_for(std::size_t{0}, rasters.size(), [&](std::size_t p) {
     PlaneRaster& raster = rasters[p];
     if (static_cast<std::int64_t>(sightings[p].size()) < 2 * rims[p].seen)

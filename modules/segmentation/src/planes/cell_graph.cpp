@@ -16,16 +16,16 @@ namespace pcl::acmap::planes {
 namespace {
 
 /** Triangles with finite vertices only: others would spoil the sums. */
-std::vector<TriangleMesh::Triangle>
+TriangleMesh::Triangles
 finiteTriangles(const PlaneHypotheses& hypotheses,
-                const std::vector<Eigen::Vector3d>& points)
+                const LargeVector<Eigen::Vector3d>& points)
 {
   const auto is_finite = [&](const TriangleMesh::Triangle& triangle) {
     return std::all_of(triangle.begin(), triangle.end(), [&](std::int32_t corner) {
       return points[static_cast<std::size_t>(corner)].allFinite();
     });
   };
-  std::vector<TriangleMesh::Triangle> triangles;
+  TriangleMesh::Triangles triangles;
   triangles.reserve(hypotheses.triangles.size());
   for (const TriangleMesh::Triangle& triangle : hypotheses.triangles)
     if (is_finite(triangle))
@@ -35,11 +35,11 @@ finiteTriangles(const PlaneHypotheses& hypotheses,
 
 /** Median of each coordinate, which is robust against points far away. */
 Eigen::Vector3d
-middleOf(const std::vector<Eigen::Vector3d>& points)
+middleOf(const LargeVector<Eigen::Vector3d>& points)
 {
   Eigen::Vector3d middle;
   oneapi::tbb::parallel_for(0, 3, [&](int axis) {
-    std::vector<double> coordinates;
+    LargeVector<double> coordinates;
     coordinates.reserve(points.size());
     for (const Eigen::Vector3d& point : points)
       if (point.allFinite())
@@ -55,7 +55,7 @@ meanEdge(const CellGraph& graph)
 {
   if (graph.neighbours.size() == 0)
     return 0;
-  std::vector<double> lengths(graph.neighbours.size());
+  LargeVector<double> lengths(graph.neighbours.size());
   const std::int32_t* const first = graph.neighbours[0].begin();
   parallelForChunks(graph.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -73,7 +73,7 @@ meanEdge(const CellGraph& graph)
 double
 localNoise(const CellGraph& graph)
 {
-  using Offsets = std::vector<double>;
+  using Offsets = LargeVector<double>;
   const auto offsetsOf = [&](std::size_t begin, std::size_t end) {
     Offsets offsets;
     for (std::size_t i = begin; i < end; ++i) {
@@ -115,8 +115,7 @@ CellGraph::CellGraph(const PlaneHypotheses& hypotheses, unsigned threads)
     }
   });
   origin = middleOf(points);
-  const std::vector<TriangleMesh::Triangle> triangles =
-      finiteTriangles(hypotheses, points);
+  const TriangleMesh::Triangles triangles = finiteTriangles(hypotheses, points);
   parallelForChunks(size, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       points[i] -= origin;
@@ -131,9 +130,9 @@ CellGraph::CellGraph(const PlaneHypotheses& hypotheses, unsigned threads)
 }
 
 void
-CellGraph::addAreas(const std::vector<TriangleMesh::Triangle>& triangles)
+CellGraph::addAreas(const TriangleMesh::Triangles& triangles)
 {
-  std::vector<double> thirds(triangles.size());
+  LargeVector<double> thirds(triangles.size());
   parallelForChunks(triangles.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const TriangleMesh::Triangle& t = triangles[i];
@@ -166,8 +165,8 @@ CellGraph::connectNear(const PointView& view, unsigned threads)
   if (!(spacing > 0))
     return;
   const RadiusGrid grid(points, 2 * spacing);
-  std::vector<std::size_t> first;
-  std::vector<std::int32_t> others;
+  LargeVector<std::size_t> first;
+  LargeVector<std::int32_t> others;
   for (std::size_t i = 0; i < points.size(); ++i) {
     first.push_back(others.size());
     if (!hasNormal(i))

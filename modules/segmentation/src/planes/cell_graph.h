@@ -11,9 +11,9 @@ struct CellGraph {
   /** \param[in] threads 0: all */
   CellGraph(const PlaneHypotheses& hypotheses, unsigned threads);
 
-  std::vector<Eigen::Vector3d> points;  ///< relative to the origin
-  std::vector<Eigen::Vector3f> normals; ///< NaN where there is none
-  std::vector<double> areas;   ///< surface area that each one represents, square metres
+  LargeVector<Eigen::Vector3d> points;  ///< relative to the origin
+  LargeVector<Eigen::Vector3f> normals; ///< NaN where there is none
+  LargeVector<double> areas;   ///< surface area that each one represents, square metres
   VertexNeighbours neighbours; ///< in the mesh; without one, in a radius
   Eigen::Vector3d origin;
   double spacing = 0; ///< metres
@@ -37,7 +37,7 @@ struct CellGraph {
 
 private:
   void
-  addAreas(const std::vector<TriangleMesh::Triangle>& triangles);
+  addAreas(const TriangleMesh::Triangles& triangles);
   void
   connectNear(const PointView& view, unsigned threads);
 };

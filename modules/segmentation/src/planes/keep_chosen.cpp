@@ -6,13 +6,13 @@ namespace pcl::acmap {
 namespace {
 
 /** \param[in,out] values one per element of an array, or empty */
-template <typename Value>
+template <typename Vector>
 void
-keep(const std::vector<std::int32_t>& chosen, std::vector<Value>& values)
+keep(const std::vector<std::int32_t>& chosen, Vector& values)
 {
   if (values.empty())
     return;
-  std::vector<Value> kept;
+  Vector kept;
   kept.reserve(chosen.size());
   for (const std::int32_t index : chosen)
     kept.push_back(values[static_cast<std::size_t>(index)]);
@@ -27,7 +27,7 @@ keepChosen(const std::vector<std::int32_t>& chosen, PlaneHypotheses& hypotheses)
   std::vector<std::int32_t> numbers(hypotheses.normals.size(), -1);
   for (std::size_t i = 0; i < chosen.size(); ++i)
     numbers[static_cast<std::size_t>(chosen[i])] = static_cast<std::int32_t>(i);
-  std::vector<TriangleMesh::Triangle> triangles;
+  TriangleMesh::Triangles triangles;
   for (TriangleMesh::Triangle triangle : hypotheses.triangles) {
     for (std::int32_t& corner : triangle)
       corner = numbers[static_cast<std::size_t>(corner)];

@@ -68,7 +68,7 @@ private:
     indexed_ = size_;
   }
 
-  std::vector<Eigen::Vector3d> points_; ///< NaN if not open
+  LargeVector<Eigen::Vector3d> points_; ///< NaN if not open
   double reach_;                        ///< metres
   std::optional<RadiusGrid> grid_;
   std::size_t size_ = 0, indexed_ = 0;

@@ -5,7 +5,7 @@
 
 namespace pcl::acmap::planes {
 
-RadiusGrid::RadiusGrid(const std::vector<Eigen::Vector3d>& points, double radius)
+RadiusGrid::RadiusGrid(const LargeVector<Eigen::Vector3d>& points, double radius)
 : points_(points)
 , radius_(radius)
 {

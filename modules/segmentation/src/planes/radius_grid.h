@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/core/scratch_memory.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -14,7 +16,7 @@ class RadiusGrid {
 public:
   /** \param[in] points must outlive this object
    * \param[in] radius metres, above 0 */
-  RadiusGrid(const std::vector<Eigen::Vector3d>& points, double radius);
+  RadiusGrid(const LargeVector<Eigen::Vector3d>& points, double radius);
 
   /** Calls visit (number) for each point that is nearer than the radius; for none if
    * the position is not finite. */
@@ -54,7 +56,7 @@ private:
   Cube
   cubeOf(const Eigen::Vector3d& place) const;
 
-  const std::vector<Eigen::Vector3d>& points_;
+  const LargeVector<Eigen::Vector3d>& points_;
   double radius_;
   std::vector<Member> members_; ///< sorted by cube, then by number
 };

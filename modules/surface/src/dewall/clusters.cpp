@@ -37,7 +37,7 @@ private:
   std::int32_t
   memberOfLargest()
   {
-    std::vector<std::int32_t> members(static_cast<std::size_t>(tree_.size()));
+    LargeVector<std::int32_t> members(static_cast<std::size_t>(tree_.size()));
     for (std::int32_t i = 0; i < tree_.size(); ++i)
       ++members[static_cast<std::size_t>(sets_.find(i))];
     return static_cast<std::int32_t>(std::max_element(members.begin(), members.end()) -
@@ -157,10 +157,10 @@ findClusters(const PointTree& tree, const SizeConstraint& size, DisjointSets con
   return Clustering(tree, size, std::move(connected)).takeSets();
 }
 
-std::vector<std::int32_t>
+LargeVector<std::int32_t>
 clusterSizes(DisjointSets& clusters, std::int32_t points)
 {
-  std::vector<std::int32_t> sizes(static_cast<std::size_t>(points));
+  LargeVector<std::int32_t> sizes(static_cast<std::size_t>(points));
   for (std::int32_t i = 0; i < points; ++i)
     ++sizes[static_cast<std::size_t>(clusters.find(i))];
   return sizes;
@@ -170,7 +170,7 @@ std::size_t
 countClusters(const PointTree& tree, const SizeConstraint& size, DisjointSets connected)
 {
   DisjointSets clusters = findClusters(tree, size, std::move(connected));
-  const std::vector<std::int32_t> sizes = clusterSizes(clusters, tree.size());
+  const LargeVector<std::int32_t> sizes = clusterSizes(clusters, tree.size());
   return static_cast<std::size_t>(std::count_if(
       sizes.begin(), sizes.end(), [](auto n) { return n >= min_cluster; }));
 }

@@ -29,6 +29,8 @@ public:
   operator()()
   {
     const std::size_t count = count_.fetch_add(1, std::memory_order_relaxed);
+    if (count % 512 == 0)
+      keepScratchSmall();
     if (count % 512 == 0 && std::this_thread::get_id() == caller_)
       progress_.tell(0.05 + 0.9 * std::min(1.0, static_cast<double>(count) / expected_),
                      "triangulation");
@@ -114,6 +116,7 @@ guardedMesh(const PointTree& tree,
   MeshArrays arrays(tree, facing);
   std::vector<Part> parts =
       buildTriangles(arrays, size, {settings.rule, leafSizeOf(settings)}, tick);
+  returnFreeMemory(); // what the parts needed while they grew
   timer.finish("walls and halves");
   std::vector<GrownTriangle> contradictions;
   GrowingMesh mesh = joinParts(arrays, parts, contradictions);

@@ -2,10 +2,11 @@
 
 #include "variant.h"
 
+#include <pcl/core/scratch_memory.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
-#include <vector>
 
 namespace pcl::acmap::ACMAP_DEWALL {
 
@@ -51,7 +52,7 @@ private:
     return parent_[static_cast<std::size_t>(i)];
   }
 
-  std::vector<std::int32_t> parent_;
+  LargeVector<std::int32_t> parent_;
 };
 
 } // namespace pcl::acmap::ACMAP_DEWALL

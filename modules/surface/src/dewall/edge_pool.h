@@ -2,8 +2,10 @@
 
 #include "lanes.h"
 
+#include <pcl/core/impl/large_memory.h>
+
+#include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <mutex>
 #include <new>
 #include <tuple>
@@ -70,6 +72,8 @@ class EdgePool {
 public:
   explicit EdgePool(std::int32_t points)
   : runs_(64 + static_cast<std::size_t>(points) / (run_size / 6))
+  , runs_in_block_(std::clamp<std::size_t>(
+        static_cast<std::size_t>(points) / points_a_run, 1, max_runs_in_block))
   {}
 
   /** \brief Removes all entries. */
@@ -77,6 +81,7 @@ public:
   clear()
   {
     runs_.clear();
+    blocks_.clear();
     spare_.clear();
     taken_ = 0;
   }
@@ -145,6 +150,8 @@ public:
 
 private:
   static constexpr std::size_t run_size = 1024;
+  static constexpr std::size_t max_runs_in_block = 128; ///< 7 MB
+  static constexpr std::size_t points_a_run = 16384;
 
   /** \brief Returns the rest of a run of another task, or a new run. */
   std::pair<std::int32_t, std::int32_t>
@@ -158,12 +165,20 @@ private:
     }
     if (taken_ == runs_.size())
       throw std::bad_alloc();
-    runs_[taken_] = std::make_unique<MoreEdges[]>(run_size);
+    if (taken_ % runs_in_block_ == 0) {
+      blocks_.emplace_back();
+      blocks_.back().resize(runs_in_block_ * run_size);
+    }
+    runs_[taken_] = blocks_.back().data() + taken_ % runs_in_block_ * run_size;
     const auto first = static_cast<std::int32_t>(taken_++ * run_size);
     return {first, first + static_cast<std::int32_t>(run_size)};
   }
 
-  std::vector<std::unique_ptr<MoreEdges[]>> runs_;
+  std::vector<MoreEdges*> runs_;
+  /** Entries that are set when they are taken. The runs are parts of a few large arrays,
+   * which can be in files. */
+  std::vector<UnfilledArray<MoreEdges>> blocks_;
+  const std::size_t runs_in_block_;
   std::size_t taken_ = 0;
   std::vector<std::pair<std::int32_t, std::int32_t>> spare_;
   std::mutex mutex_;

@@ -16,7 +16,7 @@ usableNormal(const Eigen::Vector3f& normal)
 /** Consecutive points in the tree are neighbours: nearly all of them have similar
  * directions, unless the signs of the normals are random. */
 bool
-neighboursAgree(const std::vector<Eigen::Vector3f>& directions)
+neighboursAgree(const LargeVector<Eigen::Vector3f>& directions)
 {
   std::size_t agreeing = 0, pairs = 0;
   for (std::size_t i = 1; i < directions.size(); ++i) {

@@ -5,7 +5,6 @@
 #include <pcl/core/impl/point_view.h>
 
 #include <array>
-#include <vector>
 
 namespace pcl::acmap::ACMAP_DEWALL {
 
@@ -61,8 +60,8 @@ private:
     return directions_[static_cast<std::size_t>(i)];
   }
 
-  std::vector<Eigen::Vector3f>
-      directions_; // unit, or zero for points whose direction is unknown
+  /** Unit, or zero for points whose direction is unknown. */
+  LargeVector<Eigen::Vector3f> directions_;
 };
 
 } // namespace pcl::acmap::ACMAP_DEWALL

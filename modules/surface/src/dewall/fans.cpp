@@ -122,7 +122,7 @@ sortByVertex(std::vector<Incidence>& incidences)
 class FanChoice {
 public:
   FanChoice(GrowingMesh& mesh,
-            const std::vector<std::vector<GrownTriangle>*>& lists,
+            const std::vector<GrownTriangles*>& lists,
             bool are_walls_known)
   : mesh_(mesh)
   , lists_(lists)
@@ -190,7 +190,7 @@ private:
   }
 
   GrowingMesh& mesh_;
-  const std::vector<std::vector<GrownTriangle>*>& lists_;
+  const std::vector<GrownTriangles*>& lists_;
   const bool are_walls_known_;
   std::vector<GrownTriangle> removed_;
   SmallerFans fans_;
@@ -200,7 +200,7 @@ private:
 
 std::vector<GrownTriangle>
 keepLargestFans(GrowingMesh& mesh,
-                const std::vector<std::vector<GrownTriangle>*>& lists,
+                const std::vector<GrownTriangles*>& lists,
                 bool are_walls_known)
 {
   return FanChoice(mesh, lists, are_walls_known).run();

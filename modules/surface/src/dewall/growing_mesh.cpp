@@ -160,7 +160,7 @@ GrowingMesh::detachEdge(const Side& side, std::int32_t opposite, std::int32_t co
 }
 
 void
-GrowingMesh::reassignSeams(const std::vector<GrownTriangle>& triangles)
+GrowingMesh::reassignSeams(const GrownTriangles& triangles)
 {
   constexpr std::uint8_t both = VertexFlag::mixed | VertexFlag::lost;
   for (const GrownTriangle& triangle : triangles) {
@@ -183,10 +183,10 @@ GrowingMesh::reassignSeams(const std::vector<GrownTriangle>& triangles)
 }
 
 void
-GrowingMesh::sweep(const std::vector<std::vector<GrownTriangle>*>& lists)
+GrowingMesh::sweep(const std::vector<GrownTriangles*>& lists)
 {
   oneapi::tbb::parallel_for(std::size_t{0}, lists.size(), [&](std::size_t l) {
-    std::vector<GrownTriangle>& list = *lists[l];
+    GrownTriangles& list = *lists[l];
     list.erase(std::remove_if(list.begin(),
                               list.end(),
                               [](const GrownTriangle& t) { return t.isTakenOut(); }),

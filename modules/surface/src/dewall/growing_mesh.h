@@ -2,6 +2,7 @@
 
 #include "mesh_arrays.h"
 #include "parity_union.h"
+#include "triangle_store.h"
 
 #include <array>
 #include <tuple>
@@ -12,19 +13,6 @@ namespace pcl::acmap::ACMAP_DEWALL {
 /** \brief An edge with one triangle, which traverses it from a to b. */
 struct Side {
   std::int32_t a, b;
-};
-
-/** \brief A triangle of tree points. */
-struct GrownTriangle {
-  std::array<std::int32_t, 3> corners;
-  std::int32_t component; ///< the seed it grew from, which has the same orientation
-
-  /** \brief Is it removed, but still in its list? */
-  bool
-  isTakenOut() const
-  {
-    return component < 0;
-  }
 };
 
 /** \brief The edges of a triangle in its orientation. */
@@ -46,7 +34,7 @@ struct Proposal {
 
 /** \brief Triangles of one wall, or of one leaf. */
 struct TriangleList {
-  std::vector<GrownTriangle>* triangles;
+  GrownTriangles* triangles;
   std::uint8_t depth; ///< depth of the divide step, 255 for the last passes
 };
 
@@ -144,7 +132,7 @@ public:
   /** \brief Erases the removed triangles from their lists, and assigns the open edges
    * between components to the remaining triangles. */
   void
-  sweep(const std::vector<std::vector<GrownTriangle>*>& lists);
+  sweep(const std::vector<GrownTriangles*>& lists);
 
   bool
   hasEdge(std::int32_t a, std::int32_t b)
@@ -203,13 +191,13 @@ public:
     return v.triangles > 0 && v.open_edges == 0;
   }
 
-  const std::vector<GrownTriangle>&
+  const GrownTriangles&
   triangles() const
   {
     return triangles_;
   }
 
-  std::vector<GrownTriangle>&
+  GrownTriangles&
   triangles()
   {
     return triangles_;
@@ -299,13 +287,13 @@ private:
   detachEdge(const Side& side, std::int32_t opposite, std::int32_t component);
 
   void
-  reassignSeams(const std::vector<GrownTriangle>& triangles);
+  reassignSeams(const GrownTriangles& triangles);
 
   MeshArrays& arrays_;
   const PointTree& tree_;
   const Facing& facing_;
   EdgePool::Cursor memory_of_edges_;
-  std::vector<GrownTriangle> triangles_;
+  GrownTriangles triangles_;
   ParityUnion parity_;
   std::vector<Joint> joints_;
   std::size_t refused_moebius_ = 0;

@@ -90,7 +90,7 @@ struct Seam {
 };
 
 std::vector<Seam>
-findSeams(MeshArrays& arrays, std::vector<GrownTriangle>& triangles)
+findSeams(MeshArrays& arrays, GrownTriangles& triangles)
 {
   std::vector<Seam> seams;
   for (GrownTriangle& triangle : triangles)
@@ -116,14 +116,10 @@ removeContradictions(MeshArrays& arrays,
                      std::int32_t components,
                      std::vector<GrownTriangle>& removed)
 {
-  std::vector<std::vector<Seam>> seams(parts.size());
-  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
-    seams[p] = findSeams(arrays, parts[p].triangles);
-  });
   ParityUnion parity(components);
   std::vector<GrownTriangle*> wrong;
-  for (const std::vector<Seam>& of_part : seams)
-    for (const auto& [triangle, joint] : of_part)
+  for (Part& part : parts) // one after the other: all seams would take much memory
+    for (const auto& [triangle, joint] : findSeams(arrays, part.triangles))
       if (!parity.uniteIfConsistent(joint.first, joint.second, joint.flipped) &&
           (wrong.empty() || wrong.back() != triangle))
         wrong.push_back(triangle);
@@ -132,7 +128,7 @@ removeContradictions(MeshArrays& arrays,
     removed.push_back(*triangle);
     mesh.takeOut(*triangle);
   }
-  std::vector<std::vector<GrownTriangle>*> lists;
+  std::vector<GrownTriangles*> lists;
   for (Part& part : parts)
     lists.push_back(&part.triangles);
   mesh.sweep(lists);

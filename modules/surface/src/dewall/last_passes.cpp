@@ -70,7 +70,7 @@ finishMesh(GrowingMesh& mesh,
   MeshArrays& arrays = mesh.arrays();
   mesh.setOfWall(true);
   growAcrossPlanes(mesh, size, rule, parts, tick);
-  std::vector<std::vector<GrownTriangle>*> lists;
+  std::vector<GrownTriangles*> lists;
   for (Part& part : parts)
     lists.push_back(&part.triangles);
   lists.push_back(&mesh.triangles());

@@ -11,7 +11,7 @@ namespace {
 std::vector<std::vector<std::int32_t>>
 membersOf(const PointTree& tree, DisjointSets clusters)
 {
-  const std::vector<std::int32_t> sizes = clusterSizes(clusters, tree.size());
+  const LargeVector<std::int32_t> sizes = clusterSizes(clusters, tree.size());
   std::vector<std::int32_t> places(sizes.size(), -1);
   std::vector<std::vector<std::int32_t>> members;
   for (std::int32_t i = 0; i < tree.size(); ++i) {

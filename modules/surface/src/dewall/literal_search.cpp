@@ -6,10 +6,10 @@ namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
-std::vector<SourcePoint>
+SourcePoints
 pointsOf(const PointTree& all, const std::vector<std::int32_t>& members)
 {
-  std::vector<SourcePoint> points;
+  SourcePoints points;
   points.reserve(members.size());
   for (const std::int32_t i : members)
     points.push_back(

@@ -3,10 +3,10 @@
 #include "edge_pool.h"
 #include "facing.h"
 #include "point_tree.h"
+#include "triangle_store.h"
 
 #include <algorithm>
 #include <atomic>
-#include <vector>
 
 namespace pcl::acmap::ACMAP_DEWALL {
 
@@ -40,16 +40,17 @@ struct VertexFlag {
 struct MeshArrays {
   const PointTree& tree;
   const Facing& facing;
-  std::vector<Vertex> vertices;
+  LargeVector<Vertex> vertices;
   /** Sums of the normals of the triangles at each vertex, in the orientation of its
    * component. */
-  std::vector<Eigen::Vector3f> normals;
-  std::vector<std::uint8_t> flags; ///< VertexFlag of each vertex
+  LargeVector<Eigen::Vector3f> normals;
+  LargeVector<std::uint8_t> flags; ///< VertexFlag of each vertex
   EdgePool edges;
-  std::vector<std::uint16_t> saturated, unused; ///< bits for the points of each leaf
+  TriangleStore triangles;                      ///< those of finished parts
+  LargeVector<std::uint16_t> saturated, unused; ///< bits for the points of each leaf
   /** Number of unused points in each group of eight leaves, which small tasks may
    * share. */
-  std::vector<std::atomic<std::uint8_t>> unused_in_group;
+  LargeVector<std::atomic<std::uint8_t>> unused_in_group;
 
   MeshArrays(const PointTree& t, const Facing& f)
   : tree(t)
@@ -58,6 +59,7 @@ struct MeshArrays {
   , normals(static_cast<std::size_t>(t.size()), Eigen::Vector3f::Zero())
   , flags(static_cast<std::size_t>(t.size()))
   , edges(t.size())
+  , triangles(t.size())
   , saturated(static_cast<std::size_t>(t.leafCount()))
   , unused(static_cast<std::size_t>(t.leafCount()))
   , unused_in_group(static_cast<std::size_t>((t.leafCount() + 7) / 8))
@@ -79,8 +81,8 @@ struct MeshArrays {
   void
   releaseVertices()
   {
-    std::vector<Vertex>().swap(vertices);
-    std::vector<Eigen::Vector3f>().swap(normals);
+    LargeVector<Vertex>().swap(vertices);
+    LargeVector<Eigen::Vector3f>().swap(normals);
     edges.clear();
   }
 
@@ -199,7 +201,7 @@ private:
   }
 
   void
-  setBit(std::vector<std::uint16_t>& masks, std::int32_t i, bool value) const
+  setBit(LargeVector<std::uint16_t>& masks, std::int32_t i, bool value) const
   {
     const std::int32_t leaf = tree.leafOf(i);
     const unsigned bit = 1u << (i - tree.firstOfLeaf(leaf));

@@ -14,9 +14,9 @@
 
 namespace pcl::acmap::ACMAP_DEWALL {
 
-/** \brief Returns the finite points of a view without repetitions: the first of equal
- * points is kept. The report's counts of skipped points are set. */
-std::vector<SourcePoint>
+/** \brief Returns the finite points of a view without repetitions, in any order: the
+ * first of equal points is kept. The report's counts of skipped points are set. */
+SourcePoints
 distinctPoints(const PointView& view, DeWallReport& report);
 
 /** \brief Removes the triangles that are not in the largest fan of a pinched vertex,
@@ -28,7 +28,7 @@ distinctPoints(const PointView& view, DeWallReport& report);
  * \return the removed triangles */
 std::vector<GrownTriangle>
 keepLargestFans(GrowingMesh& mesh,
-                const std::vector<std::vector<GrownTriangle>*>& lists,
+                const std::vector<GrownTriangles*>& lists,
                 bool are_walls_known);
 
 /** \brief Closes holes with few edges by the triangles with the smallest turns, under
@@ -78,7 +78,7 @@ constexpr std::int32_t min_cluster = 3;
 
 /** \brief Number of points of each cluster, at the index of its representative; 0 for
  * all other points. */
-std::vector<std::int32_t>
+LargeVector<std::int32_t>
 clusterSizes(DisjointSets& clusters, std::int32_t points);
 
 /** \brief Returns the number of clusters of at least three points. The front is seeded

@@ -50,7 +50,7 @@ private:
   GrowingMesh& grown_;
   const PointTree& tree_;
   DisjointSets components_;
-  std::vector<double> shown_;
+  LargeVector<double> shown_;
 };
 
 } // namespace
@@ -106,7 +106,7 @@ orientedMesh(GrowingMesh& grown,
     }
     if (compute_wall_depth)
       mesh.wall_depth.resize(mesh.triangles.size(), list.depth);
-    *list.triangles = {};
+    GrownTriangles().swap(*list.triangles);
   }
   return mesh;
 }

@@ -2,9 +2,10 @@
 
 #include "variant.h"
 
+#include <pcl/core/scratch_memory.h>
+
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 namespace pcl::acmap::ACMAP_DEWALL {
 
@@ -92,7 +93,7 @@ private:
     return parent_[static_cast<std::size_t>(component)];
   }
 
-  std::vector<Root> parent_;
+  LargeVector<Root> parent_;
 };
 
 } // namespace pcl::acmap::ACMAP_DEWALL

@@ -126,7 +126,7 @@ noBoxes()
 /** \brief Divides the points. */
 struct PointTree::Builder {
   PointTree& tree;
-  std::vector<SourcePoint>& points;
+  SourcePoints& points;
 
   void
   divide(const Node& node)
@@ -145,9 +145,11 @@ struct PointTree::Builder {
     tree.planes_[(std::size_t{1} << node.depth) +
                  static_cast<std::size_t>(node.index)] = {
         middle->position[axis], static_cast<std::uint8_t>(axis)};
-    if (end - begin >= min_task)
+    if (end - begin >= min_task) {
+      keepScratchSmall();
       oneapi::tbb::parallel_invoke([&] { divide(node.left()); },
                                    [&] { divide(node.right()); });
+    }
     else {
       divide(node.left());
       divide(node.right());
@@ -155,7 +157,7 @@ struct PointTree::Builder {
   }
 };
 
-PointTree::PointTree(std::vector<SourcePoint> points)
+PointTree::PointTree(SourcePoints points)
 {
   if (points.empty())
     return;
@@ -170,7 +172,7 @@ PointTree::PointTree(std::vector<SourcePoint> points)
 }
 
 void
-PointTree::takePoints(const std::vector<SourcePoint>& points)
+PointTree::takePoints(const SourcePoints& points)
 {
   source_.resize(points.size());
   for (std::size_t axis = 0; axis < 3; ++axis) {

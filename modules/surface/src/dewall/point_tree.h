@@ -2,13 +2,14 @@
 
 #include "tree_cells.h"
 
+#include <pcl/core/scratch_memory.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace pcl::acmap::ACMAP_DEWALL {
 
@@ -17,6 +18,8 @@ struct SourcePoint {
   std::array<float, 3> position;
   std::int32_t source;
 };
+
+using SourcePoints = LargeVector<SourcePoint>;
 
 /** \brief The splitting planes of the divide step, and the cells of all searches.
  *
@@ -53,8 +56,8 @@ public:
 
   static constexpr std::int32_t leaf_capacity = TreeCells::leaf_capacity;
 
-  /** \param[in] points finite and pairwise distinct */
-  explicit PointTree(std::vector<SourcePoint> points);
+  /** \param[in] points finite and pairwise distinct, in any order */
+  explicit PointTree(SourcePoints points);
 
   PointTree(const PointTree&) = delete;
   PointTree&
@@ -151,7 +154,7 @@ private:
   struct Builder;
 
   void
-  takePoints(const std::vector<SourcePoint>& points);
+  takePoints(const SourcePoints& points);
 
   void
   makeGroups();
@@ -161,11 +164,11 @@ private:
 
   TreeCells cells_;
   double leaves_a_point_ = 0;
-  std::array<std::vector<float>, 3> coordinates_;
-  std::vector<std::int32_t> source_;
-  std::vector<Plane> planes_; ///< planes at depth d begin at 2^d
-  std::array<std::vector<SiblingBoxes>, TreeCells::max_levels + 1> boxes_;
-  std::array<std::vector<CellBox>, TreeCells::max_levels + 1> cell_boxes_;
+  std::array<LargeVector<float>, 3> coordinates_;
+  LargeVector<std::int32_t> source_;
+  LargeVector<Plane> planes_; ///< planes at depth d begin at 2^d
+  std::array<LargeVector<SiblingBoxes>, TreeCells::max_levels + 1> boxes_;
+  std::array<LargeVector<CellBox>, TreeCells::max_levels + 1> cell_boxes_;
 };
 
 } // namespace pcl::acmap::ACMAP_DEWALL

@@ -3,7 +3,6 @@
 #include "point_tree.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace pcl::acmap::ACMAP_DEWALL {
 
@@ -63,7 +62,7 @@ public:
 
 private:
   const PointTree& tree_;
-  std::vector<float> longest_;
+  LargeVector<float> longest_;
   double minimum_ = 0, largest_ = 0;
 };
 

@@ -149,7 +149,7 @@ measureLeaf(const PointTree& tree,
 double
 Spacing::median() const
 {
-  std::vector<double> sorted = nearest;
+  LargeVector<double> sorted = nearest;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
   return *middle;

@@ -5,14 +5,13 @@
 #include <pcl/surface/impl/dewall_kernel.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace pcl::acmap::ACMAP_DEWALL {
 
 /** \brief Spacing of the points in each leaf of the tree, metres. */
 struct Spacing {
-  std::vector<double> nearest; ///< to the nearest neighbour of a point
-  std::vector<double> eighth;  ///< to its eighth: 1.41 spacings on a square grid
+  LargeVector<double> nearest; ///< to the nearest neighbour of a point
+  LargeVector<double> eighth;  ///< to its eighth: 1.41 spacings on a square grid
 
   std::size_t asked = 0;      ///< points for which the caller's search was called
   std::size_t unanswered = 0; ///< of these, without any neighbour

@@ -142,8 +142,7 @@ private:
   void
   finish()
   {
-    part_.triangles = std::move(mesh_.triangles());
-    part_.triangles.shrink_to_fit();
+    part_.triangles = mesh_.arrays().triangles.copyOf(mesh_.triangles());
     part_.components = mesh_.parity().size() - part_.first_component;
     part_.joints = mesh_.takeJoints();
     part_.deferred = front_.takeDeferred();

@@ -13,7 +13,7 @@ struct Part {
   PointTree::Node node;
   std::int32_t first_component = 0; ///< lower numbers are those of the walls above
   std::int32_t components = 0;
-  std::vector<GrownTriangle> triangles;
+  GrownTriangles triangles; ///< in the store of the arrays
   std::vector<Joint> joints;
   std::vector<Side> deferred; ///< left to the last pass, including doubtful triangles
   Unfinished unfinished;      ///< left to the last pass without pinches

@@ -70,7 +70,7 @@ private:
   const PointTree& tree_;
   const SizeConstraint& size_;
   const Range& range_;
-  std::vector<List> lists_;           ///< of each leaf of the range
+  LargeVector<List> lists_;           ///< of each leaf of the range
   std::vector<std::int32_t> members_; ///< of all lists
   std::vector<std::int32_t> near_;    ///< reused memory
 };

@@ -23,7 +23,7 @@ struct ChartSurface {
   /** \brief Position of each point in the chart, in columns and rows from the outer
    * corner of texel (0, 0); zero if there is no chart. */
   std::vector<Eigen::Vector2d> places;
-  std::vector<TriangleMesh::Triangle> triangles;
+  TriangleMesh::Triangles triangles;
 };
 
 /** \brief The surfaces of all charts in their order, followed by the polygons without a

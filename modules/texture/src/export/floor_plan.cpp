@@ -1,5 +1,7 @@
 #include <pcl/texture/floor_plan.h>
 
+#include "export/room_outline.h"
+
 #include <pcl/core/map_up.h>
 
 #include <Eigen/Geometry>
@@ -84,6 +86,7 @@ class Wall {
 public:
   Wall(const PlanePatch& patch, std::size_t plane, const Vector3d& up)
   : plane_(plane)
+  , coefficients_(patch.coefficients)
   , up_(up)
   , normal_((patch.coefficients.head<3>() - patch.coefficients.head<3>().dot(up) * up)
                 .normalized())
@@ -134,11 +137,15 @@ public:
     return intervals;
   }
 
-  /** \brief A point of the wall at a height above the origin of the map. */
+  /** \brief A point of the wall at a height above the origin of the map: where its plane,
+   * which may lean a little, is there. */
   Vector3d
   point(double along, double height) const
   {
-    return origin_ + along * along_ + (height - origin_.dot(up_)) * up_;
+    const Vector3d upright =
+        origin_ + along * along_ + (height - origin_.dot(up_)) * up_;
+    return upright - coefficients_.dot(upright.homogeneous()) /
+                         coefficients_.head<3>().dot(normal_) * normal_;
   }
 
 private:
@@ -184,6 +191,7 @@ private:
   }
 
   std::size_t plane_;
+  Eigen::Vector4d coefficients_;
   Vector3d up_, normal_, along_, origin_;
   std::vector<std::vector<std::vector<Vector3d>>> polygons_;
   double minimum_ = std::numeric_limits<double>::infinity();
@@ -217,7 +225,9 @@ class PlanMaker {
 public:
   explicit PlanMaker(const CompactMap& map)
   {
-    plan_.up = upDirection(map);
+    const bool is_shifted = !map.shift.isZero(0);
+    plan_.shift = map.shift;
+    plan_.up = is_shifted ? upAxis(map) : upDirection(map);
     const Vector3d& up = plan_.up;
     const Vector3d right =
         std::abs(up.x()) < 0.8 ? Vector3d::UnitX() : Vector3d::UnitY();
@@ -240,7 +250,8 @@ public:
       if (cosine <= -upright_cosine)
         facing_down.push_back(p);
     }
-    alignWithWalls(map);
+    if (!is_shifted)
+      alignWithWalls(map);
     chooseHeights(floors, ceilings);
     constexpr double step = 0.3; // metres
     for (const PlanePatch* plane : floors)
@@ -544,10 +555,13 @@ public:
     shareWalls();
     const std::vector<std::size_t> centers = findCenters(parts);
     std::vector<PlanRoom> of_parts(centers.size());
+    std::vector<std::size_t> first_cells(centers.size());
     const double area = cell_ * cell_;
     for (std::size_t index = 0; index < kinds_.size(); ++index)
       if (parts_[index] >= 0) {
         PlanRoom& room = of_parts[static_cast<std::size_t>(parts_[index])];
+        if (room.area == 0)
+          first_cells[static_cast<std::size_t>(parts_[index])] = index;
         room.area += area;
         room.seen_area += kinds_[index] == Kind::Floor ? area : 0;
       }
@@ -556,6 +570,7 @@ public:
     for (std::size_t part = 0; part < centers.size(); ++part)
       if (of_parts[part].seen_area >= min_area) {
         of_parts[part].center = placeOf(centers[part]);
+        of_parts[part].outline = outlineFrom(first_cells[part]);
         kept.push_back(part);
       }
     std::stable_sort(kept.begin(), kept.end(), [&](std::size_t a, std::size_t b) {
@@ -612,6 +627,28 @@ private:
   {
     return origin_ + cell_ * Vector2d(static_cast<double>(index % columns_) + 0.5,
                                       static_cast<double>(index / columns_) + 0.5);
+  }
+
+  /** \brief The border of a part.
+   * \param[in] first the first one of its cells */
+  std::vector<Vector2d>
+  outlineFrom(std::size_t first) const
+  {
+    constexpr double tolerance = 1.5; // cells
+    const auto columns = static_cast<int>(columns_);
+    const auto isInside = [&](const Eigen::Vector2i& cell) {
+      return cell.minCoeff() >= 0 && cell.x() < columns &&
+             cell.y() < static_cast<int>(rows_) &&
+             parts_[static_cast<std::size_t>(cell.y()) * columns_ +
+                    static_cast<std::size_t>(cell.x())] == parts_[first];
+    };
+    std::vector<Vector2d> outline = acmap::outlineOfCells(
+        {static_cast<int>(first % columns_), static_cast<int>(first / columns_)},
+        isInside,
+        tolerance);
+    for (Vector2d& corner : outline)
+      corner = origin_ + cell_ * corner;
+    return outline;
   }
 
   static void

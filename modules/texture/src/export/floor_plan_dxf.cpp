@@ -10,7 +10,9 @@ namespace {
 /** \brief Writes a drawing as pairs of a group code and a value, one per line. */
 class DxfDrawing {
 public:
-  DxfDrawing()
+  /** \param[in] offset is added to all places */
+  explicit DxfDrawing(const Eigen::Vector2d& offset)
+  : offset_(offset)
   {
     text_.imbue(std::locale::classic());
     text_.setf(std::ios::fixed);
@@ -27,8 +29,8 @@ public:
   void
   addPoint(int code, const Eigen::Vector2d& place)
   {
-    add(code, place.x());
-    add(code + 10, place.y());
+    add(code, place.x() + offset_.x());
+    add(code + 10, place.y() + offset_.y());
     add(code + 20, 0.0);
   }
 
@@ -51,9 +53,9 @@ public:
   addLoop(const char* layer, const std::vector<Eigen::Vector2d>& loop)
   {
     begin("POLYLINE", layer);
-    add(66, 1); // vertices follow
-    add(70, 1); // closed
-    addPoint(10, Eigen::Vector2d::Zero());
+    add(66, 1);             // vertices follow
+    add(70, 1);             // closed
+    addPoint(10, -offset_); // the format wants zeros
     for (const Eigen::Vector2d& place : loop) {
       begin("VERTEX", layer);
       addPoint(10, place);
@@ -79,6 +81,7 @@ public:
   }
 
 private:
+  Eigen::Vector2d offset_;
   std::ostringstream text_;
 };
 
@@ -135,7 +138,7 @@ addLayers(DxfDrawing& drawing)
 std::string
 dxfOf(const FloorPlan& plan)
 {
-  DxfDrawing drawing;
+  DxfDrawing drawing(offsetOf(plan));
   const Eigen::AlignedBox2d box = boxOf(plan);
   addHeader(box, drawing);
   addLayers(drawing);

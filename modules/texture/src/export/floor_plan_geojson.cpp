@@ -11,10 +11,12 @@ namespace {
 /** \brief Writes features one after the other. */
 class FeatureList {
 public:
-  FeatureList()
+  /** \param[in] offset is added to all places */
+  explicit FeatureList(const Eigen::Vector2d& offset)
+  : offset_(offset)
   {
     text_.imbue(std::locale::classic());
-    text_.precision(10);
+    text_.precision(offset.isZero(0) ? 10 : 13); // micrometres of a national grid
   }
 
   std::ostringstream&
@@ -48,7 +50,7 @@ public:
   void
   addPlace(const Eigen::Vector2d& place)
   {
-    text_ << '[' << place.x() << ',' << place.y() << ']';
+    text_ << '[' << place.x() + offset_.x() << ',' << place.y() + offset_.y() << ']';
   }
 
   void
@@ -76,6 +78,7 @@ public:
   }
 
 private:
+  Eigen::Vector2d offset_;
   std::ostringstream text_;
   bool is_first_ = true;
 };
@@ -123,14 +126,14 @@ addFloors(const FloorPlan& plan, FeatureList& features)
 std::string
 geoJsonOf(const FloorPlan& plan)
 {
-  FeatureList features;
+  FeatureList features(offsetOf(plan));
   std::ostringstream& text = features.text();
   text << R"({"type":"FeatureCollection","name":"floor_plan","units":"metres")";
   addAxis("x_axis", plan.x_axis, text);
   addAxis("y_axis", plan.y_axis, text);
   addAxis("up", plan.up, text);
-  addNumber("floor", plan.floor, text);
-  addNumber("cut", plan.cut, text);
+  addNumber("floor", plan.floor + plan.shift.dot(plan.up), text);
+  addNumber("cut", plan.cut + plan.shift.dot(plan.up), text);
   const PlanNorth north = northOf(plan);
   text << ",\n\"north\":[" << north.direction.x() << ',' << north.direction.y()
        << "],\"north_axis\":\"" << north.axis << "\",\n\"features\":[";

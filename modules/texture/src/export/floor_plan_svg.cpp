@@ -33,6 +33,12 @@ public:
           << "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
   }
 
+  void
+  addDescription(const std::string& text)
+  {
+    text_ << "<desc>" << text << "</desc>\n";
+  }
+
   /** \brief Begins a group of elements of one style. */
   void
   begin(const std::string& id, const std::string& style)
@@ -150,6 +156,17 @@ svgOf(const FloorPlan& plan)
 {
   const Eigen::AlignedBox2d box = boxOf(plan);
   SvgDrawing drawing(box);
+  if (!plan.shift.isZero(0)) {
+    const Vector2d corner = box.min() + offsetOf(plan);
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.setf(std::ios::fixed);
+    text.precision(3);
+    text << "The lower left corner of the plan, " << plan_margin
+         << " m from the edges of the drawing, is at " << corner.x() << ' '
+         << corner.y();
+    drawing.addDescription(text.str());
+  }
   drawing.begin("floor", "fill=\"#eeeae0\" fill-rule=\"evenodd\" stroke=\"none\"");
   for (const auto& polygon : plan.floors)
     drawing.addPolygon(polygon);

@@ -22,6 +22,13 @@ struct PlanNorth {
 PlanNorth
 northOf(const FloorPlan& plan);
 
+/** \brief What is to be added to a place of the plan for coordinates of the input. */
+inline Eigen::Vector2d
+offsetOf(const FloorPlan& plan)
+{
+  return {plan.shift.dot(plan.x_axis), plan.shift.dot(plan.y_axis)};
+}
+
 /** \brief Square metres with one decimal, without unit. */
 std::string
 areaText(double area);

@@ -53,6 +53,7 @@ class IfcModel {
 public:
   IfcModel(const CompactMap& map, const FloorPlan& plan)
   : map_(map)
+  , plan_(plan)
   , up_(plan.up)
   , floor_(plan.floor)
   {
@@ -94,6 +95,20 @@ private:
   addPlacement(StepReference relative_to)
   {
     return file_.add("IFCLOCALPLACEMENT", relative_to, axes_);
+  }
+
+  /** \brief The place of the site, by the shift of the map in the grid of its input. */
+  StepReference
+  addSitePlacement()
+  {
+    if (map_.shift.isZero(0))
+      return addPlacement({});
+    const Eigen::Vector3d place = turn_ * map_.shift;
+    const StepReference point = file_.add(
+        "IFCCARTESIANPOINT", std::vector<double>{place.x(), place.y(), place.z()});
+    return file_.add("IFCLOCALPLACEMENT",
+                     StepReference(),
+                     file_.add("IFCAXIS2PLACEMENT3D", point, nullptr, nullptr));
   }
 
   /** \brief Makes parts of a whole in the tree of project, site, building, storey. */
@@ -142,7 +157,7 @@ private:
                                             References{context_},
                                             assignment);
     const StepEnum whole{"ELEMENT"};
-    const StepReference site_place = addPlacement({});
+    const StepReference site_place = addSitePlacement();
     const StepReference site = file_.add("IFCSITE",
                                          guidOf("site"),
                                          nullptr,
@@ -450,13 +465,67 @@ private:
     }
   }
 
+  /** \brief Height of a room above its floor: that of the highest point of its planes that face
+   * down. */
+  double
+  heightOf(const MapRoom& room) const
+  {
+    constexpr double usual = 2.5; // metres
+    double height = 0;
+    for (const std::int32_t id : room.planes) {
+      if (!has(id) ||
+          levelOf(map_.planes[static_cast<std::size_t>(id)]) > -upright_cosine)
+        continue;
+      for (const PlanePolygon& polygon :
+           map_.planes[static_cast<std::size_t>(id)].polygons)
+        for (const Eigen::Vector3f& corner : polygon.outer)
+          height = std::max(height, corner.cast<double>().dot(up_) - floor_);
+    }
+    return height > 0 ? height : usual;
+  }
+
+  /** \brief The outline of a room, extruded from the floor to the ceiling; none if the plan
+   * does not have the room. */
+  StepReference
+  addSpaceShape(std::size_t i)
+  {
+    if (i >= plan_.rooms.size() || plan_.rooms[i].outline.size() < 3)
+      return {};
+    References corners;
+    for (const Eigen::Vector2d& corner : plan_.rooms[i].outline) {
+      const Eigen::Vector3d place =
+          turn_ * (corner.x() * plan_.x_axis + corner.y() * plan_.y_axis);
+      corners.push_back(
+          file_.add("IFCCARTESIANPOINT", std::vector<double>{place.x(), place.y()}));
+    }
+    corners.push_back(corners.front());
+    const StepReference border = file_.add("IFCPOLYLINE", corners);
+    const StepReference profile =
+        file_.add("IFCARBITRARYCLOSEDPROFILEDEF", StepEnum{"AREA"}, nullptr, border);
+    const StepReference origin = file_.add(
+        "IFCCARTESIANPOINT", std::vector<double>{0, 0, (turn_ * (floor_ * up_)).z()});
+    const StepReference place =
+        file_.add("IFCAXIS2PLACEMENT3D", origin, nullptr, nullptr);
+    const StepReference upwards =
+        file_.add("IFCDIRECTION", std::vector<double>{0, 0, 1});
+    const StepReference solid = file_.add(
+        "IFCEXTRUDEDAREASOLID", profile, place, upwards, heightOf(map_.rooms[i]));
+    const StepReference body = file_.add(
+        "IFCSHAPEREPRESENTATION", context_, "Body", "SweptSolid", References{solid});
+    return file_.add("IFCPRODUCTDEFINITIONSHAPE", nullptr, nullptr, References{body});
+  }
+
   void
   addSpaces()
   {
     for (std::size_t i = 0; i < map_.rooms.size(); ++i) {
       const std::string name = "Room " + std::to_string(i);
-      spaces_.push_back(addProduct(
-          "IFCSPACE", name, {}, StepEnum{"ELEMENT"}, StepEnum{"INTERNAL"}, nullptr));
+      spaces_.push_back(addProduct("IFCSPACE",
+                                   name,
+                                   addSpaceShape(i),
+                                   StepEnum{"ELEMENT"},
+                                   StepEnum{"INTERNAL"},
+                                   nullptr));
       const StepReference area = file_.add("IFCQUANTITYAREA",
                                            "NetFloorArea",
                                            nullptr,
@@ -481,6 +550,7 @@ private:
   }
 
   const CompactMap& map_;
+  const FloorPlan& plan_;
   Eigen::Vector3d up_;
   double floor_;         ///< height along up_
   Eigen::Matrix3d turn_; ///< from the map to a frame with z up

@@ -3,6 +3,7 @@
 #include "texturing/canvas_surface.h"
 
 #include <pcl/core/compact_map.h>
+#include <pcl/core/scratch_memory.h>
 
 #include <array>
 #include <vector>
@@ -41,6 +42,14 @@ struct PointColors {
       sums[k] += color[k];
   }
 
+  void
+  add(const PointColors& other)
+  {
+    count += other.count;
+    for (std::size_t k = 0; k < 3; ++k)
+      sums[k] += other.sums[k];
+  }
+
   /** The mean, rounded; not for a count of 0. */
   std::array<std::uint8_t, 3>
   mean() const
@@ -62,8 +71,8 @@ struct Canvas {
   TextureChart chart; ///< without colours yet; of a cylinder only the size is set
   CanvasSurface surface;
   std::vector<TexelPlace> mask;
-  std::vector<Samples> samples;    ///< of each texel, best first; not in paper mode
-  std::vector<PointColors> points; ///< in each texel; in paper mode only
+  LargeVector<Samples> samples;    ///< of each texel, best first; not in paper mode
+  LargeVector<PointColors> points; ///< in each texel; in paper mode only
   std::vector<std::int32_t> views; ///< in which these points are, ascending
 
   std::size_t

@@ -11,14 +11,105 @@ namespace pcl::acmap {
 
 using namespace texturing;
 
+namespace {
+
+/** Numbers of views and points. */
+struct Counts {
+  std::size_t views = 0, pinholes = 0, splatted = 0, colorless = 0;
+  std::size_t invalid_points = 0, colored_points = 0, far_points = 0;
+
+  void
+  add(const Counts& other)
+  {
+    views += other.views;
+    pinholes += other.pinholes;
+    splatted += other.splatted;
+    colorless += other.colorless;
+    invalid_points += other.invalid_points;
+    colored_points += other.colored_points;
+    far_points += other.far_points;
+  }
+};
+
+/** First value of a message of \ref TextureBuilder::sendTo. */
+enum class PaintedPart : std::uint8_t { Counts, Samples, Points, Views };
+
+bool
+isPainted(const Canvas::Samples& samples)
+{
+  return samples.front().weight > 0;
+}
+
+bool
+isPainted(const PointColors& points)
+{
+  return points.count > 0;
+}
+
+/** Sends the painted texels of a canvas, each with its number. */
+template <typename Texels>
+void
+sendTexels(PaintedPart part,
+           std::size_t canvas,
+           const Texels& texels,
+           const std::function<void(const ByteParcel&)>& send)
+{
+  constexpr std::size_t texels_of_part = std::size_t{1} << 17;
+  for (std::size_t begin = 0; begin < texels.size(); begin += texels_of_part) {
+    ByteParcel parcel;
+    parcel.put(part);
+    parcel.put(canvas);
+    const std::size_t end = std::min(begin + texels_of_part, texels.size());
+    for (std::size_t t = begin; t < end; ++t)
+      if (isPainted(texels[t])) {
+        parcel.put(t);
+        parcel.put(texels[t]);
+      }
+    send(parcel);
+  }
+}
+
+void
+sendViews(std::size_t canvas,
+          const std::vector<std::int32_t>& views,
+          const std::function<void(const ByteParcel&)>& send)
+{
+  if (views.empty())
+    return;
+  ByteParcel parcel;
+  parcel.put(PaintedPart::Views);
+  parcel.put(canvas);
+  parcel.putAll(views.data(), views.size());
+  send(parcel);
+}
+
+/** Offers samples, best first, of views that follow those of the canvas: with the same weight,
+ * those that are there stay before them, as if the views had been painted one after the
+ * other. */
+void
+joinSamples(const Canvas::Samples& samples,
+            std::int32_t first_view,
+            std::size_t texel,
+            Canvas& canvas)
+{
+  for (Sample sample : samples)
+    if (sample.weight > 0) {
+      sample.view += first_view;
+      canvas.offer(texel, sample);
+    }
+}
+
+} // namespace
+
 struct TextureBuilder::State {
   std::vector<PlanePatch> planes;
   std::vector<CylinderPatch> cylinders;
   TexturingSettings settings;
   std::vector<Canvas> canvases;
   IntensityGreys greys;
-  std::size_t views = 0, pinholes = 0, splatted = 0, colorless = 0;
-  std::size_t invalid_points = 0, colored_points = 0, far_points = 0, left_out = 0;
+  Counts counts;
+  std::size_t first_joined = 0; ///< number of the first view of what is being joined
+  std::size_t left_out = 0;
 };
 
 TextureBuilder::TextureBuilder(const std::vector<PlanePatch>& planes,
@@ -46,10 +137,10 @@ texturingMemory(const std::vector<PlanePatch>& planes,
                 const std::vector<CylinderPatch>& cylinders,
                 const TexturingSettings& settings)
 {
-  return canvasBytes(planes,
-                     cylinders,
-                     settings.texel_size,
-                     settings.paper ? sizeof(PointColors) : sizeof(Canvas::Samples));
+  const std::size_t in_work =
+      settings.paper ? sizeof(PointColors) : sizeof(Canvas::Samples);
+  const bool is_in_files = ScratchMemory::getResidentInEffect() > 0;
+  return canvasBytes(planes, cylinders, settings.texel_size, is_in_files ? 0 : in_work);
 }
 
 TextureBuilder::~TextureBuilder() = default;
@@ -63,18 +154,18 @@ TextureBuilder::add(const ColoredView& given)
     view.width = 0;
     view.has_eye = false;
   }
-  const auto number = static_cast<std::int32_t>(state.views++);
+  const auto number = static_cast<std::int32_t>(state.counts.views++);
   std::size_t finite = 0;
   for (std::size_t i = 0; i < view.points.size(); ++i)
     finite += view.points[i].allFinite() ? 1 : 0;
-  state.invalid_points += view.points.size() - finite;
+  state.counts.invalid_points += view.points.size() - finite;
   std::vector<std::uint32_t> greys;
   if (!view.colors && view.intensities) {
     greys = state.greys.packed(view.intensities, view.points.size());
     view.colors = {greys.data(), sizeof(std::uint32_t)};
   }
   if (!view.colors && view.points.size() > 0) {
-    ++state.colorless;
+    ++state.counts.colorless;
     return;
   }
   withThreads(state.settings.threads, [&] {
@@ -87,22 +178,74 @@ TextureBuilder::add(const ColoredView& given)
         std::count_if(nearest.begin(), nearest.end(), [](std::int32_t canvas) {
           return canvas >= 0;
         }));
-    state.colored_points += near;
-    state.far_points += finite - near;
+    state.counts.colored_points += near;
+    state.counts.far_points += finite - near;
     if (state.settings.paper) {
-      ++state.splatted;
+      ++state.counts.splatted;
       addPoints(view, number, nearest, state.canvases);
     }
     else if (const std::optional<Pinhole> camera =
                  fitUprightPinhole(view.points, static_cast<std::size_t>(view.width))) {
-      ++state.pinholes;
+      ++state.counts.pinholes;
       paintPinhole(view, *camera, number, nearest, state.canvases);
     }
     else {
-      ++state.splatted;
+      ++state.counts.splatted;
       splat(view, number, nearest, state.canvases);
     }
   });
+}
+
+void
+TextureBuilder::sendTo(const Trajectory& trajectory,
+                       const std::function<void(const ByteParcel&)>& send) const
+{
+  ByteParcel head;
+  head.put(PaintedPart::Counts);
+  head.put(state_->counts);
+  head.put(trajectory.poses.size());
+  for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
+    head.put(trajectory.stamps[i]);
+    head.putAll(trajectory.poses[i].matrix().data(), 16);
+  }
+  send(head);
+  for (std::size_t c = 0; c < state_->canvases.size(); ++c) {
+    sendTexels(PaintedPart::Samples, c, state_->canvases[c].samples, send);
+    sendTexels(PaintedPart::Points, c, state_->canvases[c].points, send);
+    sendViews(c, state_->canvases[c].views, send);
+  }
+}
+
+void
+TextureBuilder::join(ByteParcel& parcel, Trajectory& trajectory)
+{
+  State& state = *state_;
+  const auto part = parcel.take<PaintedPart>();
+  if (part == PaintedPart::Counts) {
+    state.first_joined = state.counts.views;
+    state.counts.add(parcel.take<Counts>());
+    for (auto left = parcel.take<std::size_t>(); left > 0; --left) {
+      trajectory.stamps.push_back(parcel.take<double>());
+      parcel.takeAll(trajectory.poses.emplace_back().matrix().data(), 16);
+    }
+    return;
+  }
+  const auto c = parcel.take<std::size_t>();
+  if (c >= state.canvases.size())
+    throw IOException("what another process has painted is of other surfaces");
+  Canvas& canvas = state.canvases[c];
+  const auto first = static_cast<std::int32_t>(state.first_joined);
+  while (part == PaintedPart::Views && parcel.left() > 0)
+    canvas.views.push_back(first + parcel.take<std::int32_t>());
+  while (parcel.left() > 0) {
+    const auto texel = parcel.take<std::size_t>();
+    if (texel >= canvas.mask.size())
+      throw IOException("what another process has painted is of other surfaces");
+    if (part == PaintedPart::Samples)
+      joinSamples(parcel.take<Canvas::Samples>(), first, texel, canvas);
+    else
+      canvas.points[texel].add(parcel.take<PointColors>());
+  }
 }
 
 namespace {
@@ -194,20 +337,20 @@ TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
   return withThreads(state.settings.threads, [&] {
     report = {};
     StepTimer timer(report);
-    report.observations = state.views;
-    report.pinholes = state.pinholes;
-    report.splatted = state.splatted;
-    report.colorless = state.colorless;
-    report.invalid_points = state.invalid_points;
-    report.colored_points = state.colored_points;
-    report.far_points = state.far_points;
+    report.observations = state.counts.views;
+    report.pinholes = state.counts.pinholes;
+    report.splatted = state.counts.splatted;
+    report.colorless = state.counts.colorless;
+    report.invalid_points = state.counts.invalid_points;
+    report.colored_points = state.counts.colored_points;
+    report.far_points = state.counts.far_points;
     report.charts = state.canvases.size();
     report.texel_size = state.settings.texel_size;
     progress.tell(0.0, "exposure");
     const bool is_paper = state.settings.paper;
     report.gains = state.settings.correct_exposure && !is_paper
-                       ? exposureGains(state.canvases, state.views)
-                       : std::vector<double>(state.views, 1.0);
+                       ? exposureGains(state.canvases, state.counts.views)
+                       : std::vector<double>(state.counts.views, 1.0);
     timer.finish("exposure");
 
     progress.tell(0.3, "blending");

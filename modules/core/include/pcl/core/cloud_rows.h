@@ -7,8 +7,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 namespace pcl {
+
+namespace acmap {
+struct PointShares;
+} // namespace acmap
 
 /** \brief The points of a cloud, with any fields, that are shared and never changed: those
  * of a PCLPointCloud2, or rows of the same layout in a LargeVector, which may be larger than
@@ -71,6 +76,19 @@ public:
     return layout_ ? std::size_t{layout_->width} * layout_->height : 0;
   }
 
+  /** \brief Parts of the rows that other processes have, too; null if there are none. */
+  const std::shared_ptr<const acmap::PointShares>&
+  shares() const
+  {
+    return shares_;
+  }
+
+  void
+  setShares(std::shared_ptr<const acmap::PointShares> shares)
+  {
+    shares_ = std::move(shares);
+  }
+
   /** \brief The points as a cloud of its own. */
   PCLPointCloud2
   copy() const;
@@ -80,6 +98,7 @@ private:
   std::shared_ptr<const void> rows_;
   const std::uint8_t* data_ = nullptr;
   std::size_t bytes_ = 0;
+  std::shared_ptr<const acmap::PointShares> shares_;
 };
 
 } // namespace pcl

@@ -127,6 +127,11 @@ struct CompactMap {
    * \ref upAxis and \ref upDirection estimate it. */
   Eigen::Vector3d up = Eigen::Vector3d::Zero();
 
+  /** \brief What was subtracted from the coordinates of the input, metres: added to those of
+   * the map, it gives coordinates in the frame of the input, such as a national grid
+   * (\ref PointCloudFile::shift). */
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+
   /** \brief Factor of the colours in files and pictures of the map, so that these are
    * neither dark nor overexposed; the colours of the charts are those of the input. */
   double exposure = 1;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/PCLPointCloud2.h>
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
 #include <pcl/core/triangle_mesh.h>
@@ -24,12 +24,21 @@ namespace pcl {
  * \throws OutputFileException when the file could not be written completely: unknown
  * extension, missing folder, no permission, disk full; an existing file of that name is
  * not changed
- * \throws BadArgumentException if the mesh has an index outside the cloud, or the
- * fields of the cloud are not inside its data. \ingroup core */
+ * \throws BadArgumentException if there is no cloud, the mesh has an index outside of it,
+ * or its fields are not inside its data. \ingroup core */
 ACMAP_EXPORT void
 saveTriangleMesh(const std::string& path,
-                 const PCLPointCloud2& cloud,
+                 const CloudRows& cloud,
                  const TriangleMesh& mesh);
+
+/** \brief The same for a cloud that is not shared. \ingroup core */
+inline void
+saveTriangleMesh(const std::string& path,
+                 const PCLPointCloud2& cloud,
+                 const TriangleMesh& mesh)
+{
+  saveTriangleMesh(path, CloudRows::of(cloud), mesh);
+}
 
 /** \brief Reads the faces of a PLY or OBJ. Polygons are converted to triangle fans;
  * their corners are indices into the cloud that \ref loadPointCloud returns for the

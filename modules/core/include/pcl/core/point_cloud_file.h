@@ -93,7 +93,7 @@ ACMAP_EXPORT PointCloudFile
 loadScaledCloud(const std::string& path, double scale);
 
 /** \brief Reads a cloud that may be larger than the memory, as \ref loadScaledCloud. Binary
- * PCD and PLY go to the rows block by block; other formats are in memory before.
+ * PCD and PLY, LAS and E57 go to the rows block by block; others are in memory before.
  * \param[in] scale metres per unit of the file
  * \param[out] file all that the file has, without the data of its cloud
  * \return the points

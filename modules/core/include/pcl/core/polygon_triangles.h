@@ -27,7 +27,7 @@ namespace pcl {
  * They are indices into the points of the outer boundary followed by those of the
  * holes. Empty for a polygon without an area.
  * \throws BadArgumentException when the normal is zero or not finite. \ingroup core */
-ACMAP_EXPORT std::vector<TriangleMesh::Triangle>
+ACMAP_EXPORT TriangleMesh::Triangles
 trianglesOfPolygon(const PlanePolygon& polygon, const Eigen::Vector3d& normal);
 
 /** \brief Returns the points that these corners index: of the outer boundary, then of

@@ -28,8 +28,8 @@ using PointLabels = LargeVector<std::int32_t>;
 /** \brief While it exists, the large arrays of this process are in files instead of in
  * memory, so that clouds can be larger than the memory.
  *
- * Each LargeVector of 4 MB or more that is allocated meanwhile gets a file without a name,
- * which is mapped into memory: algorithms do not notice, and their results are the same.
+ * Each LargeVector of 256 KB or more that is allocated meanwhile gets a file without a
+ * name, which is mapped into memory: algorithms do not notice, and their results are the same.
  * The pages that are in memory at the same time are limited; the others stay in the file
  * cache of the system as long as it has room. If the disk has no room for an array, it stays
  * in memory, which \ref getRefused tells.
@@ -44,9 +44,14 @@ public:
   /** \param[in] folder that exists, on a disk with room for the arrays
    * \param[in] resident bytes of the files that may be in memory at the same time, at least
    * 16 MB; what is used within a few milliseconds may exceed it
+   * \param[in] of_process bytes that this process may have in memory: while it has less than
+   * three quarters of them, the files may have what is left of these; 0: \a resident
+   * always holds
    * \throws BadArgumentException if \a resident is less
    * \throws OutputFileException if no file can be made in the folder */
-  ScratchMemory(const std::string& folder, std::size_t resident);
+  ScratchMemory(const std::string& folder,
+                std::size_t resident,
+                std::size_t of_process = 0);
 
   ~ScratchMemory();
 
@@ -54,6 +59,11 @@ public:
 
   ScratchMemory&
   operator=(const ScratchMemory&) = delete;
+
+  /** \brief The allowance of the one that is in effect in this process, in bytes; 0 if there
+   * is none. */
+  static std::size_t
+  getResidentInEffect();
 
   /** \brief Bytes of all arrays that were put into files. */
   std::size_t

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <pcl/core/scratch_memory.h>
+
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace pcl {
 
@@ -13,14 +14,15 @@ namespace pcl {
  * interface. \ingroup core */
 struct TriangleMesh {
   using Triangle = std::array<std::int32_t, 3>;
+  using Triangles = LargeVector<Triangle>;
 
   /** \brief Corners, counter-clockwise seen from the front side of the face. */
-  std::vector<Triangle> triangles;
+  Triangles triangles;
 
   /** \brief For each triangle the recursion depth of the divide step whose wall created
    * it (0 = first splitting plane, Fig. 5); empty if it was not requested. Triangles of
    * the final sequential passes have the value \ref no_wall. */
-  std::vector<std::uint8_t> wall_depth;
+  LargeVector<std::uint8_t> wall_depth;
 
   static constexpr std::uint8_t no_wall = 255;
 };

@@ -69,7 +69,7 @@ public:
     triangles_ = std::move(mesh.triangles);
   }
 
-  const std::vector<TriangleMesh::Triangle>&
+  const TriangleMesh::Triangles&
   getTriangles() const
   {
     return triangles_;
@@ -184,7 +184,7 @@ protected:
   computeFeature(PointCloudOut& output) override;
 
 private:
-  std::vector<TriangleMesh::Triangle> triangles_;
+  TriangleMesh::Triangles triangles_;
   bool paper_mode_ = false;
   std::optional<double> crease_weight_;
   std::optional<double> corner_weight_;

@@ -9,6 +9,7 @@
 #include <pcl/filters/consolidation_types.h>
 #include <pcl/filters/filter.h>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -146,7 +147,7 @@ protected:
 
 private:
   void
-  keepSources(const std::vector<std::int32_t>& representative_of, std::size_t size);
+  keepSources(const PointLabels& representative_of, std::size_t size);
 
   double voxel_size_ = 0;
   std::vector<Eigen::Vector3f> viewpoints_;
@@ -241,11 +242,22 @@ public:
   void
   filter(PCLPointCloud2& output);
 
+  /** \brief The same into rows, which are in a file while a \ref ScratchMemory exists. */
+  void
+  filter(CloudRows& output);
+
 protected:
   void
   applyFilter(PCLPointCloud2& output) override;
 
 private:
+  /** Makes the rows of so many points. \return the first byte */
+  using MakeRows =
+      std::function<std::uint8_t*(const PCLPointCloud2& layout, std::size_t points)>;
+
+  void
+  consolidate(const MakeRows& make);
+
   double voxel_size_ = 0;
   std::vector<Eigen::Vector3f> viewpoints_;
   std::optional<Eigen::Vector3f> sensor_origin_;

@@ -13,6 +13,7 @@
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/plane_mapping.h>
+#include <pcl/pipeline/ranks.h>
 #include <pcl/pipeline/sequence_adjustment.h>
 #include <pcl/pipeline/visual_odometry.h>
 #include <pcl/stereo/disparity_back_projection.h>
@@ -123,7 +124,7 @@ public:
    * \param[in] folder that exists; empty: none
    * \param[in] resident bytes of the files that may be in memory at the same time */
   void
-  setScratchFolder(std::string folder, std::size_t resident = std::size_t{64} << 20)
+  setScratchFolder(std::string folder, std::size_t resident = std::size_t{256} << 20)
   {
     scratch_folder_ = std::move(folder);
     scratch_resident_ = resident;
@@ -133,6 +134,22 @@ public:
   getScratchFolder() const
   {
     return scratch_folder_;
+  }
+
+  /** \brief Shares reading, sums and painting of \ref compute out over processes, all of which
+   * call it (default: none). Rank 0 makes the map, from its observations and with its settings;
+   * the others have no other use for their object and get no map. Observations that are not
+   * files stay with rank 0, which is reported. The map has the same bytes. */
+  void
+  setRanks(std::shared_ptr<Ranks> ranks)
+  {
+    ranks_ = std::move(ranks);
+  }
+
+  const std::shared_ptr<Ranks>&
+  getRanks() const
+  {
+    return ranks_;
   }
 
   /** \brief Sets what is told while observations arrive, after \ref start. It is called
@@ -492,15 +509,18 @@ private:
            PoseStep run,
            CompactMappingReport& report);
 
-  std::optional<TexturedObservation>
-  load(const ObservationSequence& sequence, std::size_t i) const;
+  void
+  makeMap(CompactMap& map);
 
   CompactMap
-  paint(const ObservationSequence& sequence, CompactMappingReport& report);
+  paint(const ObservationSequence& sequence,
+        RankedWork* work,
+        CompactMappingReport& report);
 
   std::optional<std::int32_t> current_;              ///< observation of the last frame
   std::unique_ptr<acmap::ObservationStream> stream_; ///< since \ref start
   std::size_t maximum_waiting_ = 8;
+  std::shared_ptr<Ranks> ranks_;
   std::string scratch_folder_;       ///< empty: memory
   std::size_t scratch_resident_ = 0; ///< bytes
   std::string observation_folder_;   ///< of stream_; empty: memory

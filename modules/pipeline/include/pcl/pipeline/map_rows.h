@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -54,6 +55,12 @@ public:
          const Eigen::Isometry3d& T_map_camera,
          std::int32_t view);
 
+  /** \brief Appends points that another object has made in the same way.
+   * \param[in] rows of its points, which are finite
+   * \param[in] first_view is added to the numbers of their observations */
+  void
+  appendRows(const std::vector<std::uint8_t>& rows, std::int32_t first_view);
+
   /** \brief Returns all appended points. Nothing can be appended afterwards. */
   CloudRows
   finish();
@@ -61,6 +68,12 @@ public:
 private:
   void
   announce(std::size_t bytes) const;
+
+  void
+  grow(std::size_t points);
+
+  void
+  dropAboveMaximum();
 
   PCLPointCloud2 layout_;
   LargeVector<std::uint8_t> rows_;

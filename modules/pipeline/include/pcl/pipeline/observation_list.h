@@ -21,7 +21,7 @@ saveObservationList(const std::string& path,
                     const std::string& map,
                     const ObservationSequence& sequence);
 
-/** \brief Opens the observations of a map with their poses in it.
+/** \brief Opens the observations of a map with their poses in it, and its shift.
  * \param[in] map folder with its list of observations and its trajectory.txt
  * \throws InputFileException if one of both is missing or malformed, they differ in
  * number, or an observation is missing \ingroup pipeline */

@@ -10,9 +10,28 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace pcl {
+
+class RankedWork;
+
+namespace acmap {
+
+class MapRows;
+
+/** \brief Observations that were merged, in their order. */
+struct MergedRows {
+  CloudRows cloud;                      ///< as MergedCloud::cloud
+  std::vector<Eigen::Isometry3d> poses; ///< of those that could be read
+  std::vector<std::string> remarks;
+  std::vector<std::string> of_poses; ///< remarks of all observations about their poses
+  std::size_t refined = 0;           ///< number of those with quantised depth
+  bool are_colored = true;           ///< Do all of them have colours?
+};
+
+} // namespace acmap
 
 /** \brief All points of a sequence in the frame of the map. \ingroup pipeline */
 struct MergedCloud {
@@ -71,6 +90,14 @@ public:
     cost_callback_ = std::move(callback);
   }
 
+  /** \brief Shares the observations out over ranks (default: none): those of the sequence
+   * that \a work was made of, which must exist as long as the merged cloud. */
+  void
+  setRankedWork(std::shared_ptr<RankedWork> work)
+  {
+    ranked_work_ = std::move(work);
+  }
+
   /** \brief Merges a sequence with poses.
    * \throws InputFileException if an observation cannot be read and none may be
    * skipped, none can be read, or all poses are the same though there are several
@@ -79,14 +106,30 @@ public:
   void
   compute(const ObservationSequence& sequence, MergedCloud& merged);
 
+  /** \brief Merges some of the observations of a sequence for RankedWork. There is no
+   * maximum number of points, and nothing need be readable.
+   * \throws InputFileException if an observation cannot be read and none may be skipped */
+  acmap::MergedRows
+  mergeShare(const ObservationSequence& sequence);
+
 private:
   void
   merge(const ObservationSequence& sequence, MergedCloud& merged);
+
+  void
+  add(const ObservationSequence& sequence,
+      std::size_t end,
+      acmap::MapRows& rows,
+      acmap::MergedRows& merged) const;
+
+  void
+  addOfRanks(acmap::MapRows& rows, acmap::MergedRows& merged) const;
 
   DepthSensor sensor_ = DepthSensor::Automatic;
   std::size_t maximum_points_ = 50000000;
   bool skip_broken_ = false;
   CostCallback cost_callback_;
+  std::shared_ptr<RankedWork> ranked_work_;
 };
 
 } // namespace pcl

@@ -8,17 +8,25 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl {
 
+class ObservationSource;
 struct RgbdCameras;
 struct RgbdSequence;
 
 namespace acmap {
+class ByteParcel;
 class ObservationCache;
-}
+
+/** \brief Remarks of one kind, not none, as one line: poses that were rectified differ from
+ * all VIEWPOINTs. */
+std::string
+inOneLine(const std::vector<std::string>& remarks);
+} // namespace acmap
 
 /** \brief An observation of a sequence with its pose. \ingroup pipeline */
 struct PosedObservation {
@@ -81,6 +89,14 @@ public:
                       const RgbdCameras& cameras,
                       unsigned threads = 0);
 
+  /** \brief Takes the observations of a file that has several, such as the scans of
+   * \ref openScans. They are read when they are needed, and are named as files of a
+   * sequence are.
+   * \param[in] recorded file; its poses may be unknown
+   * \throws BadArgumentException if it is missing or has no observation */
+  explicit ObservationSequence(
+      const std::shared_ptr<const ObservationSource>& recorded);
+
   /** \brief Selects observations whose poses were estimated elsewhere, and gives them
    * these poses.
    *
@@ -92,7 +108,12 @@ public:
   ObservationSequence
   withPoses(const std::vector<std::size_t>& places, Trajectory trajectory) const;
 
-  /** \brief The observations of this sequence, then those of another one.
+  /** \brief The same observations with another \ref shift, for files whose coordinates were
+   * shifted elsewhere. */
+  ObservationSequence
+  withShift(const Eigen::Vector3d& shift) const;
+
+  /** \brief The observations of this sequence, then those of another one, with the shift of this one.
    *
    * Poses are those of their sequences, and so are times, but those of the other one are
    * moved if it would not begin a second after this one.
@@ -160,6 +181,14 @@ public:
   PosedObservation
   load(std::size_t i) const;
 
+  /** \brief What was subtracted from coordinates of the input, CompactMap::shift: that of
+   * the \ref ObservationSource, else zero. */
+  const Eigen::Vector3d&
+  shift() const
+  {
+    return shift_;
+  }
+
   /** \brief Warnings about the sequence, one per line: poses without observations. */
   std::vector<std::string>
   remarks() const;
@@ -176,17 +205,40 @@ public:
   void
   setCacheSize(std::size_t bytes);
 
+  /** \brief Are the observations files that other processes can read, too? */
+  bool
+  areFiles() const
+  {
+    return scale_.has_value();
+  }
+
+  /** \brief Puts some of the observations into a message for another process.
+   * \param[in] begin first of them
+   * \param[in] end the one after the last
+   * \throws BadArgumentException unless \ref areFiles */
+  void
+  put(std::size_t begin, std::size_t end, acmap::ByteParcel& parcel) const;
+
+  /** \brief Takes a sequence, which may be empty, out of a message of \ref put. */
+  static ObservationSequence
+  taken(acmap::ByteParcel& parcel);
+
   /** \brief Number of times that a file or a frame was read, by all copies of this
    * sequence. */
   std::size_t
   getNumberOfReads() const;
 
 private:
+  ObservationSequence() = default;
+
   std::string source_; ///< folder, or first file, for messages
   std::vector<std::string> paths_;
   std::vector<std::size_t> rows_; ///< row in the trajectory, one per observation
   Trajectory trajectory_;
-  bool is_given_ = false; ///< Were the poses given by the caller?
+  bool is_given_ = false;       ///< Were the poses given by the caller?
+  std::optional<double> scale_; ///< metres in a unit of the files, if they are files
+  Eigen::Vector3d shift_ = Eigen::Vector3d::Zero();
+  std::vector<std::string> remarks_; ///< of the file
   std::shared_ptr<acmap::ObservationCache> cache_;
 };
 

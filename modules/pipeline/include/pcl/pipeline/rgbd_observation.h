@@ -3,6 +3,7 @@
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/core/export.h>
 #include <pcl/core/image_file.h>
+#include <pcl/core/ros_messages.h>
 #include <pcl/pipeline/rgbd_cameras.h>
 #include <pcl/pipeline/rgbd_sequence.h>
 
@@ -30,6 +31,10 @@ ACMAP_EXPORT std::vector<Eigen::Vector3f>
 measuredPoints(const GrayImage16& depth,
                const Pinhole& camera,
                const DepthMeaning& meaning);
+
+/** \brief The same of a depth image in metres. \ingroup pipeline */
+ACMAP_EXPORT std::vector<Eigen::Vector3f>
+measuredPoints(const DepthImage& depth, const Pinhole& camera);
 
 /** \brief An organized cloud of x y z rgb sigma in the camera's frame, one point per
  * pixel.
@@ -73,6 +78,23 @@ struct RgbdObservation {
   RgbdImageSizes sizes;
   bool is_refined = false; ///< Was the depth quantised?
 };
+
+/** \brief Makes an observation of a colour image and the points of a depth image. The steps
+ * of quantised depth are removed first (\ref refineQuantisedDepth), in the pixels of the
+ * depth camera.
+ * \param[in] points of \ref measuredPoints
+ * \param[in] depth_size of the depth image
+ * \param[in] cameras of the frame; without a colour camera, both images have one size
+ * \param[in] threads 0 for all
+ * \throws BadArgumentException if sizes do not match
+ * \throws UnorganizedPointCloudException as \ref refineQuantisedDepth
+ * \ingroup pipeline */
+ACMAP_EXPORT RgbdObservation
+makeRgbdObservation(const RgbImage& color,
+                    std::vector<Eigen::Vector3f> points,
+                    const ImageSize& depth_size,
+                    const RgbdCameras& cameras,
+                    unsigned threads = 0);
 
 /** \brief Reads the images of a frame and converts them to an observation. The steps of
  * quantised depth are removed first (\ref refineQuantisedDepth), in the pixels of the

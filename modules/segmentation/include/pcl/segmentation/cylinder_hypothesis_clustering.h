@@ -195,7 +195,7 @@ private:
   void
   requireInputs() const;
 
-  std::vector<Eigen::Vector3f>
+  LargeVector<Eigen::Vector3f>
   gatherNormals() const;
 
   /** The sensors of the points, which have the observations of the source. */
@@ -203,7 +203,7 @@ private:
   pointSensors(const std::int32_t* chosen) const;
 
   PointCloud<Normal>::ConstPtr normals_;
-  std::vector<TriangleMesh::Triangle> triangles_;
+  TriangleMesh::Triangles triangles_;
   std::vector<PlanePatch> planes_;
   std::vector<std::int32_t> plane_labels_;
   PointLabels plane_source_labels_;

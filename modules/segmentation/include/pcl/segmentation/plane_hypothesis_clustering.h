@@ -249,7 +249,7 @@ private:
   void
   requireInputs() const;
 
-  std::vector<Eigen::Vector3f>
+  LargeVector<Eigen::Vector3f>
   gatherNormals() const;
 
   /** The sensors of the points, which have the observations of the source. */
@@ -258,7 +258,7 @@ private:
 
   PointCloud<Normal>::ConstPtr normals_;
   PointCloud<Label>::ConstPtr classes_;
-  std::vector<TriangleMesh::Triangle> triangles_;
+  TriangleMesh::Triangles triangles_;
   shared_ptr<const void> source_;
   acmap::PointView source_points_;
   acmap::SensorView source_sensors_;

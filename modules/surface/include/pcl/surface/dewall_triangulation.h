@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/export.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/stage_controls.h>
@@ -11,44 +12,10 @@
 
 namespace pcl {
 
-/** \brief Open, manifold triangle mesh of a point cloud by a Delaunay wall of
- * triangles.
- *
- * Implements II-C.1 of "Active Stereo Based Compact Mapping" (Fig. 5, Fig. 6). A
- * splitting plane alpha divides the points. The triangles that cross it, the wall, are
- * built first, one edge after the other: each new apex is the Delaunay-nearest point in
- * the half-space beyond plane beta of the edge. Then each half is triangulated in the
- * same way with its own points. The mesh is open: its boundary is determined by the
- * size constraint. The vertices are the input points, in their order. No normals are
- * needed; if the points have unit normals that mostly agree with those of their
- * neighbours, the mesh is oriented by them.
- *
- * With the rules \c Paper and \c Dense, every result has at most two triangles per
- * edge, one fan per vertex, no degenerate or duplicate faces, one orientation per
- * component (towards `sensor_origin_` of the cloud), and no edge that violates the size
- * constraint. With \c Paper and \c Strict, no input point is inside the smallest sphere
- * through the corners of a triangle by more than the relative tolerance 1e-6 of its
- * radius. The same input gives bitwise the same result for any number of threads.
- *
- * Coordinates are in metres. The time is O(n log n), the memory at most 170 bytes per
- * point, with \c Strict more (\ref acmap::estimateDeWallMemory).
- * \code
- * pcl::DeWallTriangulation<pcl::PointXYZ> dewall;
- * dewall.setInputCloud (cloud);
- * pcl::PolygonMesh mesh;
- * dewall.reconstruct (mesh);
- * \endcode
- * \ingroup surface
- */
-template <typename PointInT>
-class DeWallTriangulation : public MeshConstruction<PointInT>,
-                            public StageControls<DeWallReport> {
+/** \brief Settings of \ref DeWallTriangulation, for clouds of points and of rows.
+ * \ingroup surface */
+class ACMAP_EXPORT DeWallParameters : public StageControls<DeWallReport> {
 public:
-  using Ptr = shared_ptr<DeWallTriangulation<PointInT>>;
-  using ConstPtr = shared_ptr<const DeWallTriangulation<PointInT>>;
-
-  DeWallTriangulation();
-
   /** \brief Sets the acceptance rule (default \ref DeWallRule::Paper). */
   void
   setAcceptanceRule(DeWallRule rule);
@@ -115,6 +82,58 @@ public:
     return memory_limit_;
   }
 
+protected:
+  DeWallParameters() = default;
+
+  /** \brief The settings for the kernel; those of the input are not set. */
+  acmap::DeWallSettings
+  kernelSettings() const;
+
+private:
+  DeWallRule rule_ = DeWallRule::Paper;
+  double maximum_edge_length_ = 0;
+  int leaf_size_ = 0;
+  bool compute_wall_depth_ = false;
+  std::size_t memory_limit_ = 0;
+};
+
+/** \brief Open, manifold triangle mesh of a point cloud by a Delaunay wall of
+ * triangles.
+ *
+ * Implements II-C.1 of "Active Stereo Based Compact Mapping" (Fig. 5, Fig. 6). A
+ * splitting plane alpha divides the points. The triangles that cross it, the wall, are
+ * built first, one edge after the other: each new apex is the Delaunay-nearest point in
+ * the half-space beyond plane beta of the edge. Then each half is triangulated in the
+ * same way with its own points. The mesh is open: its boundary is determined by the
+ * size constraint. The vertices are the input points, in their order. No normals are
+ * needed; if the points have unit normals that mostly agree with those of their
+ * neighbours, the mesh is oriented by them.
+ *
+ * With the rules \c Paper and \c Dense, every result has at most two triangles per
+ * edge, one fan per vertex, no degenerate or duplicate faces, one orientation per
+ * component (towards `sensor_origin_` of the cloud), and no edge that violates the size
+ * constraint. With \c Paper and \c Strict, no input point is inside the smallest sphere
+ * through the corners of a triangle by more than the relative tolerance 1e-6 of its
+ * radius. The same input gives bitwise the same result for any number of threads.
+ *
+ * Coordinates are in metres. The time is O(n log n), the memory at most 170 bytes per
+ * point, with \c Strict more (\ref acmap::estimateDeWallMemory).
+ * \code
+ * pcl::DeWallTriangulation<pcl::PointXYZ> dewall;
+ * dewall.setInputCloud (cloud);
+ * pcl::PolygonMesh mesh;
+ * dewall.reconstruct (mesh);
+ * \endcode
+ * \ingroup surface
+ */
+template <typename PointInT>
+class DeWallTriangulation : public MeshConstruction<PointInT>, public DeWallParameters {
+public:
+  using Ptr = shared_ptr<DeWallTriangulation<PointInT>>;
+  using ConstPtr = shared_ptr<const DeWallTriangulation<PointInT>>;
+
+  DeWallTriangulation();
+
   /** \brief Triangulates the input cloud, or its indices if they are set.
    * \param[out] mesh index triples into the whole input cloud; if no triangle is
    * possible, it is empty and the report contains the reason
@@ -154,12 +173,45 @@ private:
 
   acmap::NeighbourDistances
   givenSearch();
+};
 
-  DeWallRule rule_ = DeWallRule::Paper;
-  double maximum_edge_length_ = 0;
-  int leaf_size_ = 0;
-  bool compute_wall_depth_ = false;
-  std::size_t memory_limit_ = 0;
+/** \brief The same for clouds of any fields, as files have them, and for rows that are
+ * larger than the memory.
+ *
+ * While a \ref ScratchMemory exists, the arrays with a value for each point or triangle are
+ * in files, except with \ref DeWallRule::Strict. If the cloud has float32 fields normal_x,
+ * normal_y, normal_z, they are its normals. \ingroup surface */
+template <>
+class ACMAP_EXPORT DeWallTriangulation<PCLPointCloud2> : public DeWallParameters {
+public:
+  using Ptr = shared_ptr<DeWallTriangulation<PCLPointCloud2>>;
+  using ConstPtr = shared_ptr<const DeWallTriangulation<PCLPointCloud2>>;
+
+  /** \brief Sets the cloud, all of whose points are used. */
+  void
+  setInputCloud(const CloudRows& cloud)
+  {
+    rows_ = cloud;
+  }
+
+  /** \brief Sets the position of the sensor, which PCLPointCloud2 does not have, in metres
+   * (default: the origin). \throws BadArgumentException when it is not finite */
+  void
+  setSensorOrigin(const Eigen::Vector3f& origin);
+
+  /** \brief Triangulates the input cloud.
+   * \param[out] mesh index triples into the input cloud; if no triangle is possible, it is
+   * empty and the report contains the reason
+   * \throws InitFailedException if there is no cloud, it has no float32 fields x, y, z side
+   * by side, or fewer bytes than it states
+   * \throws MemoryLimitException when it would exceed the memory limit
+   * \throws CancelledException when the progress callback requested to stop */
+  void
+  reconstruct(TriangleMesh& mesh);
+
+private:
+  CloudRows rows_;
+  Eigen::Vector3f sensor_origin_ = Eigen::Vector3f::Zero();
 };
 
 // PCL has no search trees compiled for our point types, and MeshConstruction names them

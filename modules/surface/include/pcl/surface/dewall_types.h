@@ -67,7 +67,8 @@ visitFields(const DeWallReport& report, Visitor&& visit)
 namespace acmap {
 
 /** \brief Estimates the memory of a triangulation beside its input, its result included.
- * Measured on raw clouds, the most demanding ones.
+ * Measured on raw clouds, the most demanding ones. While a \ref ScratchMemory exists, only
+ * what stays in memory is counted.
  * \return bytes, an upper bound \ingroup surface */
 ACMAP_EXPORT std::size_t
 estimateDeWallMemory(std::size_t points, bool with_normals, DeWallRule rule);

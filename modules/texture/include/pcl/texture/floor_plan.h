@@ -44,6 +44,10 @@ struct PlanRoom {
   double area = 0;
   double seen_area = 0; ///< square metres, of the map's floor
 
+  /** \brief Its border without what is inside of it, counter-clockwise; from cells of 2 cm,
+   * or 4000 along the longer side of the floor, with corners within 1.5 of these. */
+  std::vector<Eigen::Vector2d> outline;
+
   /** \brief Indices in the map of the planes that enclose it, ascending: walls whose
    * seen side is towards it along 10 cm, floors and ceilings with 0.3 square metres in it,
    * seen from above. */
@@ -58,6 +62,8 @@ struct FloorPlan {
   Eigen::Vector3d x_axis = Eigen::Vector3d::UnitX();
   Eigen::Vector3d y_axis = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d up = -Eigen::Vector3d::UnitY();
+  /** \brief CompactMap::shift of the map: files have the coordinates of its input. */
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   double floor = 0; ///< height of the floor
   double cut = 0;   ///< height of the section
   std::vector<PlanWall> walls;
@@ -72,7 +78,9 @@ struct FloorPlan {
 /** \brief Makes a floor plan from the polygons of a map.
  *
  * The x axis is that of the map, projected; if most walls are at right angles, both axes
- * are turned by up to 45 degrees, so that walls are along them.
+ * are turned by up to 45 degrees, so that walls are along them. The axes of a map with a
+ * shift are not turned, and are those of its input, so that a file can have coordinates of
+ * a national grid.
  *
  * The floor is the lowest level plane that faces up and has at least half of the largest
  * area of these, with all such planes within 30 cm. The section is 1.5 m above it, or at 60 % of the height to the ceiling if
@@ -109,7 +117,8 @@ setRooms(const FloorPlan& plan, CompactMap& map);
  * scale bar; coordinates are metres with millimetres as decimals. `.dxf`: ASCII DXF of
  * release 12, metres, layers FLOOR, WALLS, DOORS, WINDOWS, ROOMS and NORTH. `.geojson`:
  * GeoJSON, whose coordinates are metres in the frame of the plan, and no longitudes; each
- * feature has a property `kind`, and walls and openings the number of their plane.
+ * feature has a property `kind`, and walls and openings the number of their plane. The
+ * shift of the plan is added to the coordinates in DXF and GeoJSON; SVG names it.
  * \throws BadArgumentException for another ending
  * \throws OutputFileException when the file could not be written \ingroup texture */
 ACMAP_EXPORT void

@@ -17,7 +17,7 @@ namespace pcl {
  * are no columns, are proxies, upright cylinders that were seen from outside columns, leaves of
  * recesses that reach the floor doors. Each element has the triangles of its surface, not a
  * solid: what is behind a wall is unknown. Openings of the graph of rooms
- * (\ref setRooms) void their walls, rooms are spaces with their area, without a shape. The property
+ * (\ref setRooms) void their walls, rooms are spaces with their area, extruded from their outline. The property
  * set `acmap_Plane` has area, support, rms and the covariance of a plane. The same map
  * gives the same bytes, identifiers and time stamp included.
  * \param[in] plan from \ref makeFloorPlan for this map

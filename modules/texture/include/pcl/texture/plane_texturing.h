@@ -107,6 +107,14 @@ public:
   void
   addObservationLoader(TexturedObservationLoader load);
 
+  /** \brief Adds observations with which another process paints the same surfaces with the same
+   * settings (acmap::sendPainted), as if they had been added here.
+   * \param[in] next returns its next message, nothing after the last one; called by one
+   * \ref texture only, which passes on what it throws
+   * \throws BadArgumentException without it */
+  void
+  addPaintedObservations(acmap::PaintedObservations next);
+
   void
   clearObservations()
   {
@@ -195,6 +203,10 @@ public:
     return correct_exposure_;
   }
 
+  /** \brief All settings. */
+  acmap::TexturingSettings
+  settings() const;
+
   /** \brief Estimates the memory that \ref texture takes for any number of observations.
    * \return bytes */
   double
@@ -214,11 +226,9 @@ private:
   struct Observation {
     PointCloudConstPtr cloud;
     Eigen::Isometry3d T_map_camera;
-    TexturedObservationLoader load; ///< in place of both
+    TexturedObservationLoader load;     ///< in place of both
+    acmap::PaintedObservations painted; ///< in place of all
   };
-
-  acmap::TexturingSettings
-  settings() const;
 
   std::vector<PlanePatch> planes_;
   std::vector<CylinderPatch> cylinders_;

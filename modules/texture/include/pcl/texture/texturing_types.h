@@ -68,4 +68,14 @@ struct TexturedObservation {
  * \ingroup texture */
 using TexturedObservationLoader = std::function<std::optional<TexturedObservation>()>;
 
+namespace acmap {
+
+class ByteParcel;
+
+/** \brief Returns the next message about what another process has painted; nothing after the
+ * last one. */
+using PaintedObservations = std::function<std::optional<ByteParcel>()>;
+
+} // namespace acmap
+
 } // namespace pcl

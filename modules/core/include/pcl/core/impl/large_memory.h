@@ -40,7 +40,7 @@ assignLarge(Vector& values, std::size_t count, const typename Vector::value_type
 }
 
 /** \brief Memory from the system itself, in a file if a ScratchMemory is in effect; small
- * blocks are from the heap.
+ * blocks are from the heap. It begins at a line of the cache (64 bytes).
  * \throws std::bad_alloc */
 ACMAP_EXPORT void*
 allocateFromSystem(std::size_t bytes);
@@ -58,6 +58,8 @@ keepScratchSmall();
  * each thread for later, it returns them to the system as soon as they are released. */
 template <typename Value>
 struct SystemAllocator {
+  static_assert(alignof(Value) <= 64);
+
   using value_type = Value;
 
   SystemAllocator() = default;

@@ -11,7 +11,7 @@ namespace pcl::acmap {
 
 /** \brief Converts the polygons of a pcl::PolygonMesh to triangles: fans about their
  * first corners. Polygons of fewer than three corners are omitted. \ingroup core */
-ACMAP_EXPORT std::vector<TriangleMesh::Triangle>
+ACMAP_EXPORT TriangleMesh::Triangles
 trianglesOf(const std::vector<Vertices>& polygons);
 
 /** \brief Checks that the corners of all triangles are points of a cloud.
@@ -19,7 +19,6 @@ trianglesOf(const std::vector<Vertices>& polygons);
  * \param[in] points number of points of the cloud
  * \throws InitFailedException naming a corner that is out of range */
 ACMAP_EXPORT void
-requireCornersInside(const std::vector<TriangleMesh::Triangle>& triangles,
-                     std::size_t points);
+requireCornersInside(const TriangleMesh::Triangles& triangles, std::size_t points);
 
 } // namespace pcl::acmap

@@ -8,6 +8,8 @@
 
 namespace pcl::acmap {
 
+struct PointShares;
+
 /** \brief Zero-copy view of the x y z floats of an array of any point type, of all
  * points or of a subset given by indices.
  *
@@ -33,10 +35,27 @@ public:
   , indices_(indices)
   {}
 
+  /** \brief All points of an array, parts of which other processes have, too. */
+  PointView(const void* first,
+            std::size_t stride,
+            std::size_t size,
+            const PointShares* shares)
+  : PointView(first, stride, size)
+  {
+    shares_ = shares;
+  }
+
   std::size_t
   size() const
   {
     return size_;
+  }
+
+  /** \brief The parts of the array that other processes have, or nullptr. */
+  const PointShares*
+  shares() const
+  {
+    return shares_;
   }
 
   /** \brief Index in the underlying array of point \a i of the view. */
@@ -61,6 +80,7 @@ private:
   std::size_t stride_ = 0;
   std::size_t size_ = 0;
   const std::int32_t* indices_ = nullptr;
+  const PointShares* shares_ = nullptr;
 };
 
 } // namespace pcl::acmap

@@ -45,13 +45,12 @@ public:
    * \param[in] triangles the faces of the mesh
    * \throws nothing */
   ACMAP_EXPORT
-  VertexNeighbours(std::size_t vertices,
-                   const std::vector<TriangleMesh::Triangle>& triangles);
+  VertexNeighbours(std::size_t vertices, const TriangleMesh::Triangles& triangles);
 
   /** \param[in] first index of the first neighbour of each vertex, and the number of
    * neighbours
    * \param[in] others the neighbours of all vertices */
-  VertexNeighbours(std::vector<std::size_t> first, std::vector<std::int32_t> others)
+  VertexNeighbours(LargeVector<std::size_t> first, LargeVector<std::int32_t> others)
   : first_(std::move(first))
   , others_(std::move(others))
   {}
@@ -76,8 +75,8 @@ public:
   }
 
 private:
-  std::vector<std::size_t> first_;
-  std::vector<std::int32_t> others_;
+  LargeVector<std::size_t> first_;
+  LargeVector<std::int32_t> others_;
 };
 
 } // namespace pcl::acmap

@@ -58,7 +58,7 @@ struct VotedNormals {
  */
 ACMAP_EXPORT VotedNormals
 voteNormals(const PointView& points,
-            const std::vector<TriangleMesh::Triangle>& triangles,
+            const TriangleMesh::Triangles& triangles,
             const SensorView& sensors,
             const VotingSettings& settings,
             const Progress& progress,

@@ -5,11 +5,11 @@
 #include <pcl/core/impl/voxel_moments.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/progress.h>
+#include <pcl/core/scratch_memory.h>
 #include <pcl/core/sensor_view.h>
 #include <pcl/filters/consolidation_types.h>
 
 #include <array>
-#include <vector>
 
 namespace pcl::acmap {
 
@@ -31,11 +31,11 @@ struct Representative {
 };
 
 struct Consolidation {
-  std::vector<Representative> representatives;
+  LargeVector<Representative> representatives;
 
   /** \brief For each index in the view the index of its representative, -1 if there is
    * none; empty unless the sources are kept. */
-  std::vector<std::int32_t> representative_of;
+  PointLabels representative_of;
 };
 
 /** \brief Implementation of VoxelConsolidation, independent of PCL's point types.

@@ -93,8 +93,8 @@ VoxelConsolidation<PointT>::applyFilter(PointCloud& output)
 
 template <typename PointT>
 void
-VoxelConsolidation<PointT>::keepSources(
-    const std::vector<std::int32_t>& representative_of, std::size_t size)
+VoxelConsolidation<PointT>::keepSources(const PointLabels& representative_of,
+                                        std::size_t size)
 {
   SourceIndices sources;
   Indices voxel_of_point;

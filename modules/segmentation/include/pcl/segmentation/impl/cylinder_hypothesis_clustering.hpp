@@ -110,10 +110,10 @@ CylinderHypothesisClustering<PointT>::requireInputs() const
 }
 
 template <typename PointT>
-std::vector<Eigen::Vector3f>
+LargeVector<Eigen::Vector3f>
 CylinderHypothesisClustering<PointT>::gatherNormals() const
 {
-  std::vector<Eigen::Vector3f> normals;
+  LargeVector<Eigen::Vector3f> normals;
   if (!normals_ && !acmap::has_normal<PointT>)
     return normals;
   normals.resize(input_->size(),

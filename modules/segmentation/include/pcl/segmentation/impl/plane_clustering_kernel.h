@@ -32,10 +32,10 @@ inline constexpr double paper_plane_distance = 0.25;
 /** \brief The hypotheses (p_i, n_i), and the mesh between them. */
 struct PlaneHypotheses {
   PointView points;
-  std::vector<Eigen::Vector3f> normals; ///< unit; NaN where there is none
+  LargeVector<Eigen::Vector3f> normals; ///< unit; NaN where there is none
   std::vector<std::uint8_t> is_crease;  ///< no seed if noise-driven; may be empty
-  std::vector<float> curvatures; ///< seed order: ascending, NaN last; may be empty
-  std::vector<TriangleMesh::Triangle> triangles; ///< may be empty
+  std::vector<float> curvatures;     ///< seed order: ascending, NaN last; may be empty
+  TriangleMesh::Triangles triangles; ///< may be empty
   SensorView sensors; ///< of the points; unknown: nothing was looked through
 };
 

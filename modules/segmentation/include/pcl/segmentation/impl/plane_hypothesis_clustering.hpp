@@ -82,10 +82,10 @@ PlaneHypothesisClustering<PointT>::requireInputs() const
 }
 
 template <typename PointT>
-std::vector<Eigen::Vector3f>
+LargeVector<Eigen::Vector3f>
 PlaneHypothesisClustering<PointT>::gatherNormals() const
 {
-  std::vector<Eigen::Vector3f> normals(
+  LargeVector<Eigen::Vector3f> normals(
       input_->size(),
       Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
   for (const index_t index : *indices_) {

@@ -2,14 +2,11 @@
 
 #include <pcl/conversions.h>
 #include <pcl/core/export.h>
-#include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/point_fields.h>
 #include <pcl/core/impl/point_view.h>
 #include <pcl/surface/dewall_triangulation.h>
 #include <pcl/surface/impl/dewall_kernel.h>
-
-#include <limits>
 
 namespace pcl {
 
@@ -21,49 +18,12 @@ DeWallTriangulation<PointInT>::DeWallTriangulation()
 
 template <typename PointInT>
 void
-DeWallTriangulation<PointInT>::setAcceptanceRule(DeWallRule rule)
-{
-  if (rule != DeWallRule::Paper && rule != DeWallRule::Dense &&
-      rule != DeWallRule::Strict)
-    acmap::refuseArgument(
-        "acceptance rule", static_cast<int>(rule), "Paper, Dense or Strict");
-  rule_ = rule;
-}
-
-template <typename PointInT>
-void
-DeWallTriangulation<PointInT>::setMaximumEdgeLength(double length)
-{
-  acmap::requireInRange("maximum edge length", length, 0.0, 1e9, "m (0 = automatic)");
-  maximum_edge_length_ = length;
-}
-
-template <typename PointInT>
-void
-DeWallTriangulation<PointInT>::setLeafSize(int points)
-{
-  acmap::requireInRange("leaf size",
-                        points,
-                        0,
-                        std::numeric_limits<int>::max(),
-                        "points (0 = automatic)");
-  leaf_size_ = points;
-}
-
-template <typename PointInT>
-void
 DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
 {
   acmap::requireInput<PointInT>(input_, this->fake_indices_ ? nullptr : indices_.get());
   if (!this->initCompute())
     PCL_THROW_EXCEPTION(InitFailedException, "the input cloud was refused");
-  acmap::DeWallSettings settings;
-  settings.rule = rule_;
-  settings.maximum_edge_length = maximum_edge_length_;
-  settings.compute_wall_depth = compute_wall_depth_;
-  settings.leaf_size = leaf_size_;
-  settings.threads = threads_;
-  settings.memory_limit = memory_limit_;
+  acmap::DeWallSettings settings = kernelSettings();
   settings.sensor_origin =
       input_->sensor_origin_.template head<3>().template cast<double>();
   const acmap::PointView view(input_->empty() ? nullptr : &input_->front().x,

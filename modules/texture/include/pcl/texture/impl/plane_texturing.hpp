@@ -53,7 +53,7 @@ PlaneTexturing<PointT>::addObservation(const PointCloudConstPtr& cloud,
 {
   if (!cloud)
     throw BadArgumentException("an observation needs a cloud");
-  observations_.push_back({cloud, acmap::requireRigid(T_map_camera), {}});
+  observations_.push_back({cloud, acmap::requireRigid(T_map_camera), {}, {}});
 }
 
 template <typename PointT>
@@ -62,7 +62,18 @@ PlaneTexturing<PointT>::addObservationLoader(TexturedObservationLoader load)
 {
   if (!load)
     throw BadArgumentException("an observation needs a loader");
-  observations_.push_back({nullptr, Eigen::Isometry3d::Identity(), std::move(load)});
+  observations_.push_back(
+      {nullptr, Eigen::Isometry3d::Identity(), std::move(load), {}});
+}
+
+template <typename PointT>
+void
+PlaneTexturing<PointT>::addPaintedObservations(acmap::PaintedObservations next)
+{
+  if (!next)
+    throw BadArgumentException("painted observations need a source");
+  observations_.push_back(
+      {nullptr, Eigen::Isometry3d::Identity(), {}, std::move(next)});
 }
 
 template <typename PointT>
@@ -134,7 +145,11 @@ PlaneTexturing<PointT>::texture(CompactMap& map)
                       static_cast<double>(observations_.size()),
                   "painting");
     const Observation& observation = observations_[i];
-    if (!observation.load) {
+    if (observation.painted) {
+      while (std::optional<acmap::ByteParcel> parcel = observation.painted())
+        builder.join(*parcel, trajectory);
+    }
+    else if (!observation.load) {
       builder.add(acmap::viewOfCloud(*observation.cloud, observation.T_map_camera));
       trajectory.stamps.push_back(static_cast<double>(i));
       trajectory.poses.push_back(observation.T_map_camera);

@@ -2,12 +2,16 @@
 
 #include <pcl/core/compact_map.h>
 #include <pcl/core/export.h>
+#include <pcl/core/impl/byte_parcel.h>
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/impl/voxel_moments.h>
 #include <pcl/core/progress.h>
+#include <pcl/core/trajectory.h>
 #include <pcl/texture/texturing_types.h>
 
+#include <functional>
 #include <memory>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -74,6 +78,20 @@ public:
   void
   add(const ColoredView& view);
 
+  /** \brief Sends what was painted so far, in several messages for \ref join.
+   * \param[in] trajectory of the views */
+  void
+  sendTo(const Trajectory& trajectory,
+         const std::function<void(const ByteParcel&)>& send) const;
+
+  /** \brief Adds what another object has painted on the same surfaces, as if its views had been
+   * added here.
+   * \param[in] parcel next message of \ref sendTo
+   * \param[in,out] trajectory the poses of its views are appended
+   * \throws IOException if it ends early or is for other surfaces */
+  void
+  join(ByteParcel& parcel, Trajectory& trajectory);
+
   /** \brief Corrects the exposure, blends the samples and fills holes. Sets the planes and
    * cylinders of the map with their pictures, and the observations that saw each plane. */
   CompactMap
@@ -83,5 +101,29 @@ private:
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/** \brief Puts the shapes of surfaces into a message: all that painting needs of them. */
+ACMAP_EXPORT void
+putShapes(const std::vector<PlanePatch>& planes,
+          const std::vector<CylinderPatch>& cylinders,
+          ByteParcel& parcel);
+
+/** \brief Takes the shapes out of a message of \ref putShapes.
+ * \throws IOException if it ends early */
+ACMAP_EXPORT void
+takeShapes(ByteParcel& parcel,
+           std::vector<PlanePatch>& planes,
+           std::vector<CylinderPatch>& cylinders);
+
+/** \brief Paints with some observations for another process
+ * (PlaneTexturing::addPaintedObservations).
+ * \param[in] send is called with each of several messages
+ * \throws what the loaders and \a send throw */
+ACMAP_EXPORT void
+sendPainted(const std::vector<PlanePatch>& planes,
+            const std::vector<CylinderPatch>& cylinders,
+            const TexturingSettings& settings,
+            const std::vector<TexturedObservationLoader>& observations,
+            const std::function<void(const ByteParcel&)>& send);
 
 } // namespace pcl::acmap

@@ -1,0 +1,63 @@
+#include <pcl/core/scan_file.h>
+#include <pcl/pipeline/observation_source.h>
+
+namespace pcl {
+
+namespace {
+
+class ScanSource : public ObservationSource {
+public:
+  explicit ScanSource(const std::string& path)
+  : path_(path)
+  , scans_(path)
+  {}
+
+  std::string
+  name() const override
+  {
+    return path_;
+  }
+
+  std::size_t
+  size() const override
+  {
+    return scans_.size();
+  }
+
+  Trajectory
+  trajectory() const override
+  {
+    Trajectory trajectory;
+    for (std::size_t i = 0; i < scans_.size(); ++i) {
+      trajectory.stamps.push_back(static_cast<double>(i));
+      trajectory.poses.push_back(scans_.pose(i));
+    }
+    return trajectory;
+  }
+
+  PointCloudFile
+  load(std::size_t i) const override
+  {
+    return scans_.load(i);
+  }
+
+  Eigen::Vector3d
+  shift() const override
+  {
+    return scans_.shift();
+  }
+
+private:
+  std::string path_;
+  ScanFile scans_;
+};
+
+} // namespace
+
+std::shared_ptr<const ObservationSource>
+openScans(const std::string& path)
+{
+  return std::make_shared<ScanSource>(path);
+}
+
+} // namespace pcl
