@@ -1,3 +1,5 @@
+#include "repetitions.h"
+
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/scratch_memory.h>
@@ -158,7 +160,7 @@ TEST(ScratchMemory, NeverTouchesOtherMappings)
   const ScratchMemory scratch(emptyFolder("scratch_others"), least_resident);
   std::size_t lost = 0;
   std::thread others([&lost] {
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < repetitions(60, 300); ++round) {
       constexpr std::size_t bytes = 8 * mega;
       void* const memory = ::mmap(
           nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -168,7 +170,7 @@ TEST(ScratchMemory, NeverTouchesOtherMappings)
       ::munmap(memory, bytes);
     }
   });
-  for (int round = 0; round < 20; ++round)
+  for (int round = 0; round < repetitions(4, 20); ++round)
     EXPECT_EQ(countWrong(filled(24 * mega)), 0u);
   others.join();
   EXPECT_EQ(lost, 0u);
