@@ -45,8 +45,8 @@ function(acmap_define_as_pcl_io target)
 endfunction()
 
 # acmap_add_benchmark (<name> SOURCES <file>... LIBRARIES <target>...): target benchmarks
-# builds them all; target benchmarks_compile compiles their sources, as CI does, which is
-# not about their speed.
+# builds them all; target benchmarks_compile compiles their sources, as the long run does,
+# which is not about their speed.
 function(acmap_add_benchmark name)
   acmap_add_program(${name} ${ARGN})
   acmap_join(benchmarks ${name})

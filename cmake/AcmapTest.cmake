@@ -11,7 +11,8 @@
 # other cases run, too: they run as users get them, in test <name>_product. THREAD_CASES are
 # those of a program with label threads that run under ThreadSanitizer in CI, in test
 # <name>_threads. Both are filters of GoogleTest; a filter of PRODUCT_CASES that begins with
-# a minus names the other cases. The long run has all cases in all presets (all_threads).
+# a minus names the other cases. The long run has all cases in all presets: under
+# ThreadSanitizer also those with label all_threads, whose libraries CI does not build for it.
 #
 # Kernels are reached by acmap_<module>_objects, and then nothing may bring acmap::<module>
 # along: there would be two of them.

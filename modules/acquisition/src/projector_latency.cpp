@@ -12,6 +12,7 @@ namespace pcl {
 
 namespace {
 
+using acmap::LightChange;
 using acmap::LightTurn;
 using acmap::ShotTaker;
 using Seconds = ShotTaker::Seconds;
@@ -21,6 +22,7 @@ constexpr Seconds tail{0.35}; // delay at which changes should be complete
 constexpr Seconds shot_timeout{5};
 constexpr int turns_wanted = 6;
 constexpr int min_shots_of_turn = 3;
+constexpr int trials_wanted = 6;
 
 /** \brief The pixel values that increase when the projector is on. */
 class LitValues {
@@ -121,11 +123,15 @@ public:
       const Seconds first = longest_shot_ * (i / 2) / (turns_wanted / 2);
       turns.push_back(watch(i % 2 == 0 ? nullptr : &bright_, first, lit));
     }
-    const auto settled = acmap::findSettleTime(turns, tail.count());
-    if (!settled)
+    const auto change = acmap::findLightChange(turns, tail.count());
+    if (!change)
       return std::nullopt;
     const double rate = static_cast<double>(taker_.camera().getFramesPerSecond());
-    return *settled + (rate > 0 ? 1 / rate : longest_shot_.count());
+    const Seconds period = rate > 0 ? Seconds(1 / rate) : longest_shot_;
+    const std::optional<Seconds> confirmed = confirm(*change, period, lit);
+    if (!confirmed)
+      return std::nullopt;
+    return (*confirmed + period).count();
   }
 
 private:
@@ -158,6 +164,31 @@ private:
       turn.push_back({taker_.delay().count(), lit.meanOf(*frame)});
     }
     return turn;
+  }
+
+  /** Tries the delay as a sequence uses it: one shot after each change. The images that a
+   * driver buffers meanwhile are older than those between two shots of a turn.
+   * \return the delay, or the next one, later by periods, that leaves all changes complete;
+   * nothing if it is longer than a change may take */
+  std::optional<Seconds>
+  confirm(const LightChange& change, Seconds period, const LitValues& lit)
+  {
+    Seconds delay(change.settled);
+    for (int passed = 0; passed < trials_wanted;) {
+      const bool to_bright = passed % 2 == 1; // the last turn ended bright
+      taker_.show(to_bright ? &bright_ : nullptr);
+      taker_.settle(delay);
+      if (change.isComplete(lit.meanOf(*shoot()), to_bright)) {
+        ++passed;
+        continue;
+      }
+      passed = 0;
+      delay += period;
+      if (delay > tail)
+        return std::nullopt;
+      shootAtEnd(&bright_);
+    }
+    return delay;
   }
 
   ShotTaker& taker_;

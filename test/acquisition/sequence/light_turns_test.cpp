@@ -26,57 +26,71 @@ turnsOf(const Level& level)
 
 TEST(LightTurns, TheShotBehindTheLastUnsettledOneCounts)
 {
-  const auto found = findSettleTime(turnsOf([](std::size_t turn, double delay) {
-                                      const bool has_changed = delay >= 0.12;
-                                      return (turn % 2 == 1) == has_changed ? 60 : 20;
-                                    }),
-                                    tail);
+  const auto found = findLightChange(turnsOf([](std::size_t turn, double delay) {
+                                       const bool has_changed = delay >= 0.12;
+                                       return (turn % 2 == 1) == has_changed ? 60 : 20;
+                                     }),
+                                     tail);
   ASSERT_TRUE(found);
-  EXPECT_NEAR(*found, 0.133, 1e-9) << "0.1 is too early, 0.133 is next";
+  EXPECT_NEAR(found->settled, 0.133, 1e-9) << "0.1 is too early, 0.133 is next";
+}
+
+TEST(LightTurns, ChangesAreCompleteNearTheirEnds)
+{
+  const auto change = findLightChange(turnsOf([](std::size_t turn, double delay) {
+                                        const bool has_changed = delay >= 0.12;
+                                        return (turn % 2 == 1) == has_changed ? 60 : 20;
+                                      }),
+                                      tail);
+  ASSERT_TRUE(change);
+  EXPECT_TRUE(change->isComplete(59, true));
+  EXPECT_FALSE(change->isComplete(57, true));
+  EXPECT_TRUE(change->isComplete(21, false));
+  EXPECT_FALSE(change->isComplete(23, false));
 }
 
 TEST(LightTurns, TheLongestOfAllChangesCounts)
 {
-  const auto found = findSettleTime(turnsOf([](std::size_t turn, double delay) {
-                                      const bool has_changed =
-                                          delay >= (turn == 4 ? 0.3 : 0.05);
-                                      return (turn % 2 == 1) == has_changed ? 60 : 20;
-                                    }),
-                                    tail);
+  const auto found = findLightChange(turnsOf([](std::size_t turn, double delay) {
+                                       const bool has_changed =
+                                           delay >= (turn == 4 ? 0.3 : 0.05);
+                                       return (turn % 2 == 1) == has_changed ? 60 : 20;
+                                     }),
+                                     tail);
   ASSERT_TRUE(found);
-  EXPECT_NEAR(*found, 0.3, 1e-9);
+  EXPECT_NEAR(found->settled, 0.3, 1e-9);
 }
 
 TEST(LightTurns, AFadeIsWaitedForAlmostToItsEnd)
 {
   const auto found =
-      findSettleTime(turnsOf([](std::size_t turn, double delay) {
-                       const double part = std::min(1.0, delay / 0.2);
-                       return turn % 2 == 1 ? 20 + 100 * part : 120 - 100 * part;
-                     }),
-                     tail);
+      findLightChange(turnsOf([](std::size_t turn, double delay) {
+                        const double part = std::min(1.0, delay / 0.2);
+                        return turn % 2 == 1 ? 20 + 100 * part : 120 - 100 * part;
+                      }),
+                      tail);
   ASSERT_TRUE(found);
-  EXPECT_NEAR(*found, 0.2, 1e-9) << "0.166 has 83 % of the change";
+  EXPECT_NEAR(found->settled, 0.2, 1e-9) << "0.166 has 83 % of the change";
 }
 
 TEST(LightTurns, NoiseIsNotWaitedFor)
 {
   Random random(3);
-  const auto found = findSettleTime(
+  const auto found = findLightChange(
       turnsOf([&](std::size_t turn, double delay) {
         const bool has_changed = delay >= 0.05;
         return ((turn % 2 == 1) == has_changed ? 60.0 : 50.0) + random.uniform(-.5, .5);
       }),
       tail);
   ASSERT_TRUE(found);
-  EXPECT_NEAR(*found, 0.066, 1e-9);
+  EXPECT_NEAR(found->settled, 0.066, 1e-9);
 }
 
 TEST(LightTurns, WhatDoesNotFollowTheTurnsIsNoChange)
 {
   Random random(4);
   const auto none = [&](const auto& level) {
-    return !findSettleTime(turnsOf(level), tail);
+    return !findLightChange(turnsOf(level), tail);
   };
   EXPECT_TRUE(none([](std::size_t, double) { return 50.0; }));
   EXPECT_TRUE(none([&](std::size_t, double) { return 50 + 0.1 * random.normal(); }));

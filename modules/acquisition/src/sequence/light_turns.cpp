@@ -38,8 +38,8 @@ endOf(const LightTurn& turn, double tail)
 
 } // namespace
 
-std::optional<double>
-findSettleTime(const std::vector<LightTurn>& turns, double tail)
+std::optional<LightChange>
+findLightChange(const std::vector<LightTurn>& turns, double tail)
 {
   std::vector<TurnEnd> ends;
   for (const LightTurn& turn : turns)
@@ -73,7 +73,11 @@ findSettleTime(const std::vector<LightTurn>& turns, double tail)
     for (const LightSample& sample : turn)
       if (sample.delay > unsettled && (!settled || sample.delay < *settled))
         settled = sample.delay;
-  return settled;
+  if (!settled)
+    return std::nullopt;
+  const std::size_t last_bright = (turns.size() / 2) * 2 - 1;
+  const std::size_t last_dark = (turns.size() - 1) / 2 * 2;
+  return LightChange{*settled, ends[last_dark].level, ends[last_bright].level, wanted};
 }
 
 } // namespace pcl::acmap

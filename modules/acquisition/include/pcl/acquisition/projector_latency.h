@@ -14,9 +14,10 @@ namespace pcl {
  * Black and a bright image are shown alternately, three times each, while shots are
  * taken continuously. The result is based on the longest delay of the six changes,
  * after which the pixels that are lit by the projector have completed 95 % of their
- * change, or less if noise and daylight limit the accuracy. One period of the camera is
- * added, since projector and camera are not in phase. The measurement takes about 5 s
- * with a camera of five or more shots per second. Afterwards the camera is stopped, and
+ * change, or less if noise and daylight limit the accuracy. It is tried with six further
+ * changes, one shot each, and lengthened until all of them are complete. One period of the
+ * camera is added, since projector and camera are not in phase. The measurement takes about
+ * 8 s with a camera of five or more shots per second. Afterwards the camera is stopped, and
  * the projector is dark.
  *
  * \param[in] camera gives one frame for each trigger; must not be used by others during
