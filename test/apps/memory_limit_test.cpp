@@ -1,3 +1,4 @@
+#include "las_file.h"
 #include "sanitized.h"
 #include "small_session.h"
 #include "temporary_folder.h"
@@ -10,6 +11,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace pcl::acmap::test {
 namespace {
@@ -139,11 +142,10 @@ TEST_F(MemoryLimit, RoomyChangesNothing)
   fs::remove(path("without.ply"));
 }
 
-/** Meshing takes 170 bytes for each point in memory: here they are in files. */
-TEST_F(MemoryLimit, IsKeptByAMeshOfManyPoints)
+/** A wall of 490,000 points with noise. */
+PointCloud<PointXYZ>
+noisyWall()
 {
-  if (is_sanitized)
-    GTEST_SKIP() << "a sanitizer has memory of its own";
   PointCloud<PointXYZ> wall;
   std::uint32_t bits = 1;
   const auto noise = [&bits] {
@@ -155,18 +157,53 @@ TEST_F(MemoryLimit, IsKeptByAMeshOfManyPoints)
       wall.emplace_back(0.01F * (static_cast<float>(column) + noise()),
                         0.01F * (static_cast<float>(row) + noise()),
                         2 + 0.01F * noise());
+  return wall;
+}
+
+/** Meshing takes 170 bytes for each point in memory: here they are in files. */
+class MeshOfManyPoints : public MemoryLimit {
+protected:
+  void
+  SetUp() override
+  {
+    if (is_sanitized)
+      GTEST_SKIP() << "a sanitizer has memory of its own";
+  }
+
+  static void
+  expectKeepsTheLimit(const std::string& cloud)
+  {
+    ASSERT_EQ(runSurface({cloud, path("without.ply")}).exit_code, 0);
+    const auto before = folder_->count();
+    const ToolRun limited =
+        run(ACMAP_DEWALL_SURFACE, {cloud, path("with.ply")}, "50MB");
+    ASSERT_EQ(limited.exit_code, 0) << limited.err;
+    EXPECT_EQ(folder_->count(), before + 1) << "no file but the mesh is left";
+    EXPECT_TRUE(contentOf(path("with.ply")) == contentOf(path("without.ply")));
+    for (const std::string& file : {cloud, path("with.ply"), path("without.ply")})
+      fs::remove(file);
+  }
+};
+
+TEST_F(MeshOfManyPoints, KeepsTheLimit)
+{
   PCLPointCloud2 cloud;
-  toPCLPointCloud2(wall, cloud);
+  toPCLPointCloud2(noisyWall(), cloud);
   savePointCloud(path("wall.pcd"), cloud);
-  ASSERT_EQ(runSurface({path("wall.pcd"), path("without.ply")}).exit_code, 0);
-  const auto before = folder_->count();
-  const ToolRun limited =
-      run(ACMAP_DEWALL_SURFACE, {path("wall.pcd"), path("with.ply")}, "50MB");
-  ASSERT_EQ(limited.exit_code, 0) << limited.err;
-  EXPECT_EQ(folder_->count(), before + 1) << "no file but the mesh is left";
-  EXPECT_TRUE(contentOf(path("with.ply")) == contentOf(path("without.ply")));
-  for (const char* name : {"wall.pcd", "with.ply", "without.ply"})
-    fs::remove(path(name));
+  expectKeepsTheLimit(path("wall.pcd"));
+}
+
+TEST_F(MeshOfManyPoints, OfAScanKeepsTheLimit)
+{
+  const PointCloud<PointXYZ> wall = noisyWall();
+  LasFile las(2, 3, {200000, 5000000, 100}, static_cast<std::uint32_t>(wall.size()));
+  for (std::size_t i = 0; i < wall.size(); ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      las.set(las.at(i) + 4 * axis,
+              static_cast<std::int32_t>(std::lround(
+                  wall[i].getVector3fMap()[static_cast<Eigen::Index>(axis)] /
+                  LasFile::scale)));
+  expectKeepsTheLimit(folder_->write("wall.las", las.bytes));
 }
 
 TEST_F(MemoryLimit, MeetsWorkersOnTheWayWithoutHarm)

@@ -1,5 +1,6 @@
 #include "chain_runs.h"
 #include "plane_runs.h"
+#include "small_disk.h"
 #include "tool_cases.h"
 
 #include <gmock/gmock.h>
@@ -132,6 +133,24 @@ TEST_F(RanksTest, BrokenObservationsOfARankAreLeftOut)
   spoilLast();
   const auto alone = mapBy(1, {"--skip-broken"});
   EXPECT_THAT(differing(mapBy(2, {"--skip-broken"}), alone), IsEmpty());
+}
+
+TEST_F(RanksTest, AFullDiskEndsAllInOneLine)
+{
+  if (!SmallDisk::isAllowed())
+    GTEST_SKIP() << "this user may mount no disk, not even in a world of its own";
+  const std::string bad = folder_.path("bad"), output = bad + "/map";
+  fs::create_directory(bad);
+  {
+    const SmallDisk disk(bad, 1 << 16);
+    disk.fill(5);
+    const ToolRun run = runRanks(3, output);
+    EXPECT_EQ(run.exit_code, 5) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(output));
+    EXPECT_EQ(run.errorLines(), 1U) << run.err;
+    expectNothingOf(output);
+  }
+  EXPECT_THAT(differing(mapBy(3), mapBy(1)), IsEmpty());
 }
 
 TEST_F(RanksTest, WrongOptionsAreToldOnce)
