@@ -2,6 +2,7 @@
 #include <pcl/mpi/mpi_ranks.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl {
 
@@ -9,6 +10,20 @@ namespace {
 
 constexpr std::size_t part_bytes = std::size_t{1} << 30; // MPI counts in ints
 constexpr int length_tag = 1, part_tag = 2;
+
+/** Forgets the requests when all are complete. */
+bool
+areComplete(std::vector<MPI_Request>& requests)
+{
+  int are_complete = 0;
+  MPI_Testall(static_cast<int>(requests.size()),
+              requests.data(),
+              &are_complete,
+              MPI_STATUSES_IGNORE);
+  if (are_complete)
+    requests.clear();
+  return are_complete != 0;
+}
 
 } // namespace
 
@@ -26,6 +41,7 @@ MpiRanks::MpiRanks(MPI_Comm communicator)
   MPI_Comm_size(communicator_, &size);
   rank_ = static_cast<std::size_t>(rank);
   size_ = static_cast<std::size_t>(size);
+  incoming_.resize(size_);
 }
 
 void
@@ -47,36 +63,36 @@ MpiRanks::beginSending(std::size_t to, const Bytes& bytes)
 bool
 MpiRanks::isSent()
 {
-  int are_sent = 0;
-  MPI_Testall(static_cast<int>(sending_.size()),
-              sending_.data(),
-              &are_sent,
-              MPI_STATUSES_IGNORE);
-  if (are_sent)
-    sending_.clear();
-  return are_sent != 0;
+  return areComplete(sending_);
 }
 
 bool
 MpiRanks::tryReceiving(std::size_t from, Bytes& bytes)
 {
   const auto rank = static_cast<int>(from);
-  int has_arrived = 0;
-  MPI_Iprobe(rank, length_tag, communicator_, &has_arrived, MPI_STATUS_IGNORE);
-  if (!has_arrived)
+  Incoming& message = incoming_[from];
+  if (message.parts.empty()) {
+    int has_arrived = 0;
+    MPI_Iprobe(rank, length_tag, communicator_, &has_arrived, MPI_STATUS_IGNORE);
+    if (!has_arrived)
+      return false;
+    std::uint64_t length = 0;
+    MPI_Recv(
+        &length, 1, MPI_UINT64_T, rank, length_tag, communicator_, MPI_STATUS_IGNORE);
+    message.bytes.resize(length);
+    // MPI_Recv would keep a processor busy, which the sender may need.
+    for (std::size_t begin = 0; begin < length; begin += part_bytes)
+      MPI_Irecv(message.bytes.data() + begin,
+                static_cast<int>(std::min(part_bytes, length - begin)),
+                MPI_BYTE,
+                rank,
+                part_tag,
+                communicator_,
+                &message.parts.emplace_back());
+  }
+  if (!areComplete(message.parts))
     return false;
-  std::uint64_t length = 0;
-  MPI_Recv(
-      &length, 1, MPI_UINT64_T, rank, length_tag, communicator_, MPI_STATUS_IGNORE);
-  bytes.resize(length);
-  for (std::size_t begin = 0; begin < bytes.size(); begin += part_bytes)
-    MPI_Recv(bytes.data() + begin,
-             static_cast<int>(std::min(part_bytes, bytes.size() - begin)),
-             MPI_BYTE,
-             rank,
-             part_tag,
-             communicator_,
-             MPI_STATUS_IGNORE);
+  bytes = std::exchange(message.bytes, {});
   return true;
 }
 

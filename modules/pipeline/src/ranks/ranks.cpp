@@ -33,7 +33,7 @@ Ranks::receive(std::size_t from)
 void
 Ranks::pause(std::size_t& pauses) const
 {
-  constexpr std::size_t longest = 10000; // microseconds
+  constexpr std::size_t longest = 1000; // microseconds; long messages move in between
   ++pauses;
   std::this_thread::sleep_for(
       std::chrono::microseconds(std::min(longest, 20 * pauses)));

@@ -51,7 +51,14 @@ private:
   MPI_Comm communicator_;
   std::size_t rank_ = 0;
   std::size_t size_ = 1;
+  /** A message that is being received, also if the caller gave up waiting for it. */
+  struct Incoming {
+    Bytes bytes;
+    std::vector<MPI_Request> parts;
+  };
+
   std::vector<MPI_Request> sending_;
+  std::vector<Incoming> incoming_; // of each rank
 };
 
 } // namespace pcl

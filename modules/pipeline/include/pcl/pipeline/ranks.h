@@ -66,7 +66,8 @@ protected:
   virtual bool
   isSent() = 0;
 
-  /** \brief Receives the next message of a rank if it has arrived. */
+  /** \brief Receives the next message of a rank; called with the same arguments until the
+   * message has arrived. */
   virtual bool
   tryReceiving(std::size_t from, Bytes& bytes) = 0;
 
