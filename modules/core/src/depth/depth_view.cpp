@@ -1,4 +1,5 @@
 #include <pcl/core/impl/depth_view.h>
+#include <pcl/core/impl/large_memory.h>
 
 #include <algorithm>
 #include <cmath>
@@ -88,9 +89,11 @@ measureDepthStep(const PointView& points)
   constexpr std::size_t wanted = 1 << 15;
   const std::size_t stride = points.size() / wanted + 1;
   std::vector<double> depths;
-  for (std::size_t i = 0; i < points.size(); i += stride)
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    keepScratchSmall(); // each of these points may bring in pages around it
     if (isMeasured(points[i]))
       depths.push_back(static_cast<double>(points[i].z()));
+  }
   if (depths.size() < enough_pixels)
     return 0;
   const Steps of_depth = stepsOf(depths);

@@ -46,10 +46,12 @@ medianPoint(const PointView& points)
   constexpr std::size_t enough = 1024;
   const std::size_t step = points.size() / enough + 1;
   std::array<std::vector<float>, 3> values;
-  for (std::size_t i = 0; i < points.size(); i += step)
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    keepScratchSmall();
     if (points[i].allFinite())
       for (int axis = 0; axis < 3; ++axis)
         values[axis].push_back(points[i][axis]);
+  }
   Eigen::Vector3d median = Eigen::Vector3d::Zero();
   for (int axis = 0; axis < 3; ++axis) {
     auto& list = values[axis];

@@ -171,9 +171,11 @@ limitsOf(const PointView& points, const VoxelLattice& lattice)
   std::vector<VoxelKey> keys;
   VoxelHit hit;
   for (std::size_t i = 0; i < points.size();
-       i += points.size() / (parts * points_of_part) + 1)
+       i += points.size() / (parts * points_of_part) + 1) {
+    keepScratchSmall();
     if (lattice.locate(points[i], hit))
       keys.push_back(voxelKey(hit.place));
+  }
   std::sort(keys.begin(), keys.end());
   std::vector<VoxelKey> limits;
   for (std::size_t k = points_of_part; k < keys.size(); k += points_of_part)
