@@ -2,6 +2,8 @@
 
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/depth_view.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/scratch_memory.h>
 
 #include <sys/mman.h>
@@ -125,6 +127,38 @@ TEST(ScratchMemory, LetsFilesHaveWhatTheProcessLeaves)
   EXPECT_TRUE(becomesLess([] { return residentFiles(); }, before + 2 * least_resident));
   EXPECT_EQ(countWrong(second), 0u);
   EXPECT_EQ(others.back(), 1);
+}
+
+/** Bytes that this process had in memory at most, since the last call. */
+std::size_t
+peakSinceLastCall()
+{
+  std::size_t kilobytes = 0;
+  std::ifstream table("/proc/self/status");
+  for (std::string line; std::getline(table, line);)
+    if (line.rfind("VmHWM:", 0) == 0)
+      kilobytes = std::stoul(line.substr(6));
+  std::ofstream("/proc/self/clear_refs") << 5;
+  return 1024 * kilobytes;
+}
+
+/** Each of these points brings in the pages around it. */
+TEST(ScratchMemory, StaysSmallWherePointsAreLookedAtFarApart)
+{
+  if (is_thread_sanitized)
+    GTEST_SKIP() << "the sanitizer needs gigabytes for it";
+  const ScratchMemory scratch(emptyFolder("scratch_far"), least_resident);
+  LargeVector<Eigen::Vector3f> points(48 * mega);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % parallel_chunk == 0)
+      keepScratchSmall();
+    points[i] = {0, 0, 1 + static_cast<float>(i % 1000)};
+  }
+  EXPECT_TRUE(becomesLess([] { return residentFiles(); }, 4 * least_resident));
+  const std::size_t before = residentNow().all;
+  peakSinceLastCall();
+  measureDepthStep(PointView(points.data(), sizeof points[0], points.size()));
+  EXPECT_LT(peakSinceLastCall(), before + 4 * least_resident);
 }
 
 TEST(ScratchMemory, LeavesNoFileAndNoMappingBehind)

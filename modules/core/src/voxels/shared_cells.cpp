@@ -19,13 +19,19 @@ writeSorted(const CellTable& table,
 {
   std::vector<std::pair<VoxelKey, std::size_t>> order;
   order.reserve(table.cells.size());
-  for (std::size_t c = 0; c < table.cells.size(); ++c)
+  for (std::size_t c = 0; c < table.cells.size(); ++c) {
+    if (c % parallel_chunk == 0)
+      keepScratchSmall();
     order.emplace_back(table.cells[c].key, c);
+  }
   std::sort(order.begin(), order.end());
-  for (const auto& [key, cell] : order) {
-    *first++ = toVoxelCell(table.cells[cell], edge);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i % parallel_chunk == 0)
+      keepScratchSmall();
+    const std::size_t cell = order[i].second;
+    first[i] = toVoxelCell(table.cells[cell], edge);
     if (!table.colors.empty())
-      *first_color++ = table.colors[cell];
+      first_color[i] = table.colors[cell];
   }
 }
 
