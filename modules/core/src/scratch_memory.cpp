@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -53,13 +54,11 @@ struct Resident {
 Resident
 residentNow()
 {
-  std::FILE* const table = std::fopen("/proc/self/statm", "re");
-  if (!table)
-    return {};
+  static const int table = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  std::array<char, 128> text{};
   unsigned long size = 0, resident = 0, of_files = 0;
-  const int read = std::fscanf(table, "%lu %lu %lu", &size, &resident, &of_files);
-  std::fclose(table);
-  if (read != 3)
+  if (::pread(table, text.data(), text.size() - 1, 0) <= 0 ||
+      std::sscanf(text.data(), "%lu %lu %lu", &size, &resident, &of_files) != 3)
     return {};
   const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
   return {of_files * page, (std::max(resident, of_files) - of_files) * page};
@@ -80,6 +79,7 @@ public:
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     blocks_[static_cast<char*>(memory)] = bytes;
+    size_ += bytes;
   }
 
   /** \ref release must never see what is mapped next at that address: it is forgotten
@@ -89,7 +89,7 @@ public:
   {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      blocks_.erase(static_cast<char*>(memory));
+      size_ -= blocks_.erase(static_cast<char*>(memory)) * bytes;
     }
     ::munmap(memory, bytes);
   }
@@ -102,9 +102,7 @@ public:
   release(const AreFew& are_few)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    std::size_t left = 0;
-    for (const auto& [memory, bytes] : blocks_)
-      left += bytes;
+    std::size_t left = size_;
     while (left > 0 && !are_few())
       left -= std::min(left, releaseNext());
   }
@@ -133,6 +131,7 @@ private:
 
   std::mutex mutex_;
   std::map<char*, std::size_t> blocks_;
+  std::size_t size_ = 0; ///< of all blocks
   char* next_ = nullptr; ///< whose turn it is
 };
 
@@ -190,8 +189,9 @@ public:
     return memory;
   }
 
-  /** Takes pages out of the process if they are more than allowed. */
-  void
+  /** Takes pages out of the process if they are more than allowed.
+   * \return could they soon be too many again? */
+  bool
   check()
   {
     // A thread that did not wait for another one here would bring in pages meanwhile.
@@ -201,10 +201,10 @@ public:
     const std::size_t others = before_ + now.others;
     const std::size_t allowed =
         std::max(resident_, of_process_ - std::min(of_process_, others));
-    if (arrays < allowed)
-      return;
-    ScratchBlocks::all().release(
-        [&] { return arraysOf(residentNow()) < allowed / 8 * 7; });
+    if (arrays >= allowed)
+      ScratchBlocks::all().release(
+          [&] { return arraysOf(residentNow()) < allowed / 8 * 7; });
+    return arrays > allowed / 2;
   }
 
   std::atomic<std::size_t> bytes{0};
@@ -303,13 +303,14 @@ void
 keepScratchSmall()
 {
   using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::milliseconds pause(1);
-  static thread_local Clock::time_point last;
-  if (!ScratchScopes::all().isAny() || Clock::now() - last < pause)
+  // A fault brings in 64 KB or 2 MB in some microseconds.
+  constexpr std::chrono::microseconds long_pause(1000), short_pause(100);
+  static thread_local Clock::time_point next;
+  if (!ScratchScopes::all().isAny() || Clock::now() < next)
     return;
-  last = Clock::now();
-  if (const std::shared_ptr<ScratchScope> scope = ScratchScopes::all().last())
-    scope->check();
+  const std::shared_ptr<ScratchScope> scope = ScratchScopes::all().last();
+  const bool is_close = scope && scope->check();
+  next = Clock::now() + (is_close ? short_pause : long_pause);
 }
 
 void

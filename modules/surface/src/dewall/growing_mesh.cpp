@@ -163,7 +163,10 @@ void
 GrowingMesh::reassignSeams(const GrownTriangles& triangles)
 {
   constexpr std::uint8_t both = VertexFlag::mixed | VertexFlag::lost;
+  std::size_t visited = 0;
   for (const GrownTriangle& triangle : triangles) {
+    if (visited++ % 64 == 0)
+      keepScratchSmall();
     std::array<bool, 3> is_doubtful;
     for (std::size_t i = 0; i < 3; ++i)
       is_doubtful[i] = (arrays_.flagsOf(triangle.corners[i]) & both) == both;
