@@ -38,8 +38,11 @@ private:
   memberOfLargest()
   {
     LargeVector<std::int32_t> members(static_cast<std::size_t>(tree_.size()));
-    for (std::int32_t i = 0; i < tree_.size(); ++i)
+    ScratchPace pace;
+    for (std::int32_t i = 0; i < tree_.size(); ++i) {
+      pace();
       ++members[static_cast<std::size_t>(sets_.find(i))];
+    }
     return static_cast<std::int32_t>(std::max_element(members.begin(), members.end()) -
                                      members.begin());
   }
@@ -161,8 +164,11 @@ LargeVector<std::int32_t>
 clusterSizes(DisjointSets& clusters, std::int32_t points)
 {
   LargeVector<std::int32_t> sizes(static_cast<std::size_t>(points));
-  for (std::int32_t i = 0; i < points; ++i)
+  ScratchPace pace;
+  for (std::int32_t i = 0; i < points; ++i) {
+    pace();
     ++sizes[static_cast<std::size_t>(clusters.find(i))];
+  }
   return sizes;
 }
 

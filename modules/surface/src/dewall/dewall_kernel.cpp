@@ -29,9 +29,7 @@ public:
   operator()()
   {
     const std::size_t count = count_.fetch_add(1, std::memory_order_relaxed);
-    // An edge of the last passes brings in pages from everywhere.
-    if (count % 16 == 0)
-      keepScratchSmall();
+    keepScratchSmall(); // an edge of the last passes brings in pages from everywhere
     if (count % 512 == 0 && std::this_thread::get_id() == caller_)
       progress_.tell(0.05 + 0.9 * std::min(1.0, static_cast<double>(count) / expected_),
                      "triangulation");

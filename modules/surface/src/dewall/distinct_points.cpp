@@ -66,7 +66,9 @@ template <typename Function>
 void
 forEachFinite(const PointView& view, const Function& function)
 {
+  ScratchPace pace;
   for (std::size_t i = 0; i < view.size(); ++i) {
+    pace();
     const Eigen::Vector3f p = view[i];
     if (p.allFinite()) // adding zero converts -0 to 0
       function(std::array<float, 3>{p.x() + 0.0f, p.y() + 0.0f, p.z() + 0.0f}, i);

@@ -155,10 +155,13 @@ private:
   {
     std::vector<std::vector<Incidence>> of_list(lists_.size());
     oneapi::tbb::parallel_for(std::size_t{0}, lists_.size(), [&](std::size_t l) {
-      for (GrownTriangle& triangle : *lists_[l])
+      ScratchPace pace;
+      for (GrownTriangle& triangle : *lists_[l]) {
+        pace();
         for (const std::int32_t corner : triangle.corners)
           if (isLookedAt(corner) && !triangle.isTakenOut())
             of_list[l].emplace_back(corner, &triangle);
+      }
     });
     std::vector<Incidence> all;
     for (const std::vector<Incidence>& some : of_list)

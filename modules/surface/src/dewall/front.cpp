@@ -1,5 +1,6 @@
 #include "front.h"
 
+#include "scratch_pace.h"
 #include "third_point.h"
 
 #include <map>
@@ -29,19 +30,23 @@ Front::advance(const Range& range)
 void
 Front::advancePostponed(const Range& range)
 {
+  ScratchPace pace;
   // Most of them have been resolved by a neighbour in the meantime.
   while (!postponed_.empty() || !bridges_.empty()) {
     while (!postponed_.empty()) {
       const std::vector<Candidate> candidates = std::exchange(postponed_, {});
       for (std::size_t next = 0; next < candidates.size(); ++next) {
+        pace();
         mesh_.prefetch(
             candidates[std::min(next + look_ahead, candidates.size() - 1)].side);
         reconsider(candidates[next], range, Doubt::IsAllowed);
       }
       advance(range);
     }
-    for (const Candidate& candidate : bridgesByVotes())
+    for (const Candidate& candidate : bridgesByVotes()) {
+      pace();
       reconsider(candidate, range, Doubt::MayBridge);
+    }
     advance(range);
   }
 }
@@ -49,9 +54,12 @@ Front::advancePostponed(const Range& range)
 void
 Front::advanceContrary(const Range& range)
 {
+  ScratchPace pace;
   while (!contrary_.empty()) {
-    for (const Side& side : std::exchange(contrary_, {}))
+    for (const Side& side : std::exchange(contrary_, {})) {
+      pace();
       process(side, range, Doubt::MayBeContrary);
+    }
     advance(range);
     advancePostponed(range);
   }

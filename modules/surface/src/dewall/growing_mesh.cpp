@@ -1,6 +1,7 @@
 #include "growing_mesh.h"
 
 #include "predicates.h"
+#include "scratch_pace.h"
 
 #include <pcl/core/impl/parallel.h>
 
@@ -163,10 +164,9 @@ void
 GrowingMesh::reassignSeams(const GrownTriangles& triangles)
 {
   constexpr std::uint8_t both = VertexFlag::mixed | VertexFlag::lost;
-  std::size_t visited = 0;
+  ScratchPace pace;
   for (const GrownTriangle& triangle : triangles) {
-    if (visited++ % 64 == 0)
-      keepScratchSmall();
+    pace();
     std::array<bool, 3> is_doubtful;
     for (std::size_t i = 0; i < 3; ++i)
       is_doubtful[i] = (arrays_.flagsOf(triangle.corners[i]) & both) == both;
@@ -190,9 +190,13 @@ GrowingMesh::sweep(const std::vector<GrownTriangles*>& lists)
 {
   oneapi::tbb::parallel_for(std::size_t{0}, lists.size(), [&](std::size_t l) {
     GrownTriangles& list = *lists[l];
+    ScratchPace pace;
     list.erase(std::remove_if(list.begin(),
                               list.end(),
-                              [](const GrownTriangle& t) { return t.isTakenOut(); }),
+                              [&](const GrownTriangle& t) {
+                                pace();
+                                return t.isTakenOut();
+                              }),
                list.end());
     reassignSeams(list);
   });

@@ -45,7 +45,9 @@ renumberArrays(MeshArrays& arrays,
                std::size_t index)
 {
   const std::int32_t end = arrays.tree.endOf(part.node);
+  ScratchPace pace;
   for (std::int32_t i = arrays.tree.firstOf(part.node); i < end; ++i) {
+    pace();
     Vertex& v = arrays.vertex(i);
     if (v.component >= 0)
       v.component = numbering.inWhole(index, v.component);
@@ -60,8 +62,11 @@ renumber(MeshArrays& arrays, std::vector<Part>& parts, const Numbering& numberin
 {
   oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
     Part& part = parts[p];
-    for (GrownTriangle& triangle : part.triangles)
+    ScratchPace pace;
+    for (GrownTriangle& triangle : part.triangles) {
+      pace();
       triangle.component = numbering.inWhole(p, triangle.component);
+    }
     for (Joint& joint : part.joints) {
       joint.first = numbering.inWhole(p, joint.first);
       joint.second = numbering.inWhole(p, joint.second);
@@ -93,7 +98,9 @@ std::vector<Seam>
 findSeams(MeshArrays& arrays, GrownTriangles& triangles)
 {
   std::vector<Seam> seams;
-  for (GrownTriangle& triangle : triangles)
+  ScratchPace pace;
+  for (GrownTriangle& triangle : triangles) {
+    pace();
     for (const Side& side : sidesOf(triangle)) {
       if (!arrays.is(side.a, VertexFlag::mixed) ||
           !arrays.is(side.b, VertexFlag::mixed))
@@ -105,6 +112,7 @@ findSeams(MeshArrays& arrays, GrownTriangles& triangles)
             {&triangle,
              {first, triangle.component, bool(edge.ascending) == (side.a < side.b)}});
     }
+  }
   return seams;
 }
 

@@ -21,10 +21,13 @@ growAcrossPlanes(GrowingMesh& mesh,
   const PointTree& tree = mesh.arrays().tree;
   const Range all = wholeOf(tree);
   Front front(tree, size, rule, mesh, tick);
+  ScratchPace pace;
   for (const Part& part : parts)
-    for (const Side& side : part.deferred)
+    for (const Side& side : part.deferred) {
+      pace();
       if (mesh.oppositeOf(side) >= 0)
         front.insert(mesh.asItRuns(side), all);
+    }
   front.advance(all);
   front.advancePostponed(all);
   front.advanceContrary(all);
@@ -35,11 +38,14 @@ void
 addSidesOfWalls(GrowingMesh& mesh, const std::vector<Part>& parts, Unfinished& begun)
 {
   const std::size_t walls = parts.size() / 2; // they come before the leaves
+  ScratchPace pace;
   for (std::size_t p = 0; p < walls; ++p)
-    for (const GrownTriangle& triangle : parts[p].triangles)
+    for (const GrownTriangle& triangle : parts[p].triangles) {
+      pace();
       for (const Side& side : sidesOf(triangle))
         if (mesh.oppositeOf(side) >= 0)
           begun.sides.push_back(side);
+    }
 }
 
 bool
@@ -81,11 +87,14 @@ finishMesh(GrowingMesh& mesh,
       arrays.set(corner, VertexFlag::of_wall);
 
   Unfinished begun = affectedBy(removed, size, mesh);
+  ScratchPace pace;
   for (const Part& part : parts) {
     append(begun, part.unfinished);
-    for (const Refusal& refusal : part.unfinished.refusals)
+    for (const Refusal& refusal : part.unfinished.refusals) {
+      pace();
       if (isAnyTouched(arrays, refusal))
         begun.refusals.push_back(refusal);
+    }
   }
   addSidesOfWalls(mesh, parts, begun);
   const Range all = wholeOf(arrays.tree);

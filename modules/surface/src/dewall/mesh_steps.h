@@ -4,6 +4,7 @@
 #include "growing_mesh.h"
 #include "point_tree.h"
 #include "range.h"
+#include "scratch_pace.h"
 #include "size_constraint.h"
 #include "triangle_builder.h"
 

@@ -19,8 +19,10 @@ public:
   , shown_(static_cast<std::size_t>(tree_.size()))
   {
     const Facing& facing = grown.arrays().facing;
+    ScratchPace pace;
     for (const TriangleList& list : lists)
       for (const GrownTriangle& triangle : *list.triangles) {
+        pace();
         const double area = facing.isKnown()
                                 ? facing.shownArea(tree_, triangle.corners)
                                 : areaFacing(tree_, triangle.corners, sensor);
@@ -59,7 +61,9 @@ void
 countVertices(const MeshArrays& arrays, DeWallReport& report)
 {
   std::size_t open_ends = 0;
+  ScratchPace pace;
   for (const Vertex& v : arrays.vertices) {
+    pace();
     report.used_points += v.triangles > 0;
     open_ends += v.open_edges;
   }
@@ -70,8 +74,10 @@ DisjointSets
 findComponents(const PointTree& tree, const std::vector<TriangleList>& lists)
 {
   DisjointSets components(tree.size());
+  ScratchPace pace;
   for (const TriangleList& list : lists)
     for (const GrownTriangle& triangle : *list.triangles) {
+      pace();
       components.unite(triangle.corners[0], triangle.corners[1]);
       components.unite(triangle.corners[0], triangle.corners[2]);
     }
@@ -95,8 +101,10 @@ orientedMesh(GrowingMesh& grown,
   report.edges = (3 * report.triangles + report.boundary_edges) / 2;
   TriangleMesh mesh;
   mesh.triangles.reserve(report.triangles);
+  ScratchPace pace;
   for (const TriangleList& list : lists) {
     for (const GrownTriangle& triangle : *list.triangles) {
+      pace();
       TriangleMesh::Triangle corners;
       for (std::size_t i = 0; i < 3; ++i)
         corners[i] = tree.source(triangle.corners[i]);

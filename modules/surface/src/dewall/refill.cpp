@@ -1,6 +1,7 @@
 #include "refill.h"
 
 #include "ball_visit.h"
+#include "scratch_pace.h"
 #include "third_point.h"
 
 namespace pcl::acmap::ACMAP_DEWALL {
@@ -17,18 +18,25 @@ Unfinished
 Refill::run(Unfinished begun)
 {
   // Edges that are not open now will be tried when they are opened.
-  for (const Side& side : begun.sides)
+  ScratchPace pace;
+  for (const Side& side : begun.sides) {
+    pace();
     if (mesh_.oppositeOf(side) >= 0)
       queue_.push_back(mesh_.asItRuns(side));
-  for (const Refusal& refusal : begun.refusals)
+  }
+  for (const Refusal& refusal : begun.refusals) {
+    pace();
     if (mesh_.oppositeOf(refusal.side) >= 0)
       left_.refusals.push_back({mesh_.asItRuns(refusal.side), refusal.apex});
+  }
   workOff();
   // Where no first triangle satisfies the tie rule, any empty sphere is accepted.
   for (const Ties ties : {Ties::Matter, Ties::DoNotMatter})
-    for (const std::int32_t p1 : begun.points)
+    for (const std::int32_t p1 : begun.points) {
+      pace();
       if (!mesh_.isUsed(p1) && !startAt(p1, ties) && ties == Ties::DoNotMatter)
         left_.points.push_back(p1);
+    }
   reconsider();
   return std::move(left_);
 }
@@ -50,7 +58,9 @@ Refill::reconsider()
   std::size_t before = 0;
   do {
     before = mesh_.triangles().size();
+    ScratchPace pace;
     for (const Refusal& refusal : std::exchange(left_.refusals, {})) {
+      pace();
       Edge* base = mesh_.findOpen(refusal.side);
       if (!base)
         continue;
@@ -210,7 +220,9 @@ affectedBy(const std::vector<GrownTriangle>& removed,
     near.insert(near.end(), triangle.corners.begin(), triangle.corners.end());
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
-  for (const std::int32_t corner : std::vector<std::int32_t>(near))
+  ScratchPace pace;
+  for (const std::int32_t corner : std::vector<std::int32_t>(near)) {
+    pace();
     if (!arrays.isUsed(corner)) {
       affected.points.push_back(corner);
       double radius = size.longest(corner);
@@ -224,15 +236,18 @@ affectedBy(const std::vector<GrownTriangle>& removed,
                       near.push_back(i);
                 });
     }
+  }
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
   std::vector<std::pair<std::int32_t, std::int32_t>> edges; // lower end, higher end
-  for (const std::int32_t low : near)
+  for (const std::int32_t low : near) {
+    pace();
     for (const Side& side : mesh.openSides(low, low + 1)) {
       edges.emplace_back(low, std::max(side.a, side.b));
       for (const std::int32_t end : {side.a, side.b})
         edges.push_back(std::minmax(end, mesh.endOfFan(end, side)));
     }
+  }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   for (const auto& [low, high] : edges)
