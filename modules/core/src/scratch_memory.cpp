@@ -51,18 +51,37 @@ struct Resident {
   std::size_t others = 0; ///< all that is in no file
 };
 
-Resident
-residentNow()
-{
-  static const int table = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
-  std::array<char, 128> text{};
-  unsigned long size = 0, resident = 0, of_files = 0;
-  if (::pread(table, text.data(), text.size() - 1, 0) <= 0 ||
-      std::sscanf(text.data(), "%lu %lu %lu", &size, &resident, &of_files) != 3)
-    return {};
-  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-  return {of_files * page, (std::max(resident, of_files) - of_files) * page};
-}
+/** The memory of this process, as often as needed: its table stays open. */
+class ResidentMemory {
+public:
+  ResidentMemory()
+  : table_(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC))
+  {}
+
+  ~ResidentMemory()
+  {
+    ::close(table_);
+  }
+
+  ResidentMemory(const ResidentMemory&) = delete;
+  ResidentMemory&
+  operator=(const ResidentMemory&) = delete;
+
+  Resident
+  now() const
+  {
+    std::array<char, 128> text{};
+    unsigned long size = 0, resident = 0, of_files = 0;
+    if (::pread(table_, text.data(), text.size() - 1, 0) <= 0 ||
+        std::sscanf(text.data(), "%lu %lu %lu", &size, &resident, &of_files) != 3)
+      return {};
+    const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    return {of_files * page, (std::max(resident, of_files) - of_files) * page};
+  }
+
+private:
+  int table_;
+};
 
 /** All blocks of this process that are in files. */
 class ScratchBlocks {
@@ -144,7 +163,7 @@ public:
   : folder_(std::move(folder))
   , resident_(resident)
   , of_process_(of_process / 4 * 3) // the rest is for what comes before the next check
-  , before_(residentNow().files)
+  , before_(memory_.now().files)
   , watch_([this] { watch(); })
   {}
 
@@ -196,14 +215,14 @@ public:
   {
     // A thread that did not wait for another one here would bring in pages meanwhile.
     const std::lock_guard<std::mutex> lock(checking_);
-    const Resident now = residentNow();
+    const Resident now = memory_.now();
     const std::size_t arrays = arraysOf(now);
     const std::size_t others = before_ + now.others;
     const std::size_t allowed =
         std::max(resident_, of_process_ - std::min(of_process_, others));
     if (arrays >= allowed)
       ScratchBlocks::all().release(
-          [&] { return arraysOf(residentNow()) < allowed / 8 * 7; });
+          [&] { return arraysOf(memory_.now()) < allowed / 8 * 7; });
     return arrays > allowed / 2;
   }
 
@@ -228,6 +247,7 @@ private:
       check();
   }
 
+  ResidentMemory memory_;
   std::string folder_;
   std::size_t resident_;
   std::size_t of_process_;
