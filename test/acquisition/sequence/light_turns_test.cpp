@@ -24,24 +24,26 @@ turnsOf(const Level& level)
   return turns;
 }
 
+/** Changes between 20 and 60, all at once after 0.12 s. */
+std::vector<LightTurn>
+suddenTurns()
+{
+  return turnsOf([](std::size_t turn, double delay) {
+    const bool has_changed = delay >= 0.12;
+    return (turn % 2 == 1) == has_changed ? 60 : 20;
+  });
+}
+
 TEST(LightTurns, TheShotBehindTheLastUnsettledOneCounts)
 {
-  const auto found = findLightChange(turnsOf([](std::size_t turn, double delay) {
-                                       const bool has_changed = delay >= 0.12;
-                                       return (turn % 2 == 1) == has_changed ? 60 : 20;
-                                     }),
-                                     tail);
+  const auto found = findLightChange(suddenTurns(), tail);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->settled, 0.133, 1e-9) << "0.1 is too early, 0.133 is next";
 }
 
 TEST(LightTurns, ChangesAreCompleteNearTheirEnds)
 {
-  const auto change = findLightChange(turnsOf([](std::size_t turn, double delay) {
-                                        const bool has_changed = delay >= 0.12;
-                                        return (turn % 2 == 1) == has_changed ? 60 : 20;
-                                      }),
-                                      tail);
+  const auto change = findLightChange(suddenTurns(), tail);
   ASSERT_TRUE(change);
   EXPECT_TRUE(change->isComplete(59, true));
   EXPECT_FALSE(change->isComplete(57, true));

@@ -2,6 +2,8 @@
 
 #include "statistics.h"
 
+#include <pcl/core/impl/polyline_corners.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,18 +52,6 @@ forEachEdge(const PlanePatch& plane, const Visitor& visit)
     for (const std::vector<Eigen::Vector3f>& loop : loopsOf(polygon))
       for (std::size_t k = 0; k < loop.size(); ++k)
         visit(loop[k], loop[(k + 1) % loop.size()]);
-}
-
-double
-distanceToSegment(const Eigen::Vector2d& point,
-                  const Eigen::Vector2d& a,
-                  const Eigen::Vector2d& b)
-{
-  const Eigen::Vector2d along = b - a;
-  const double length = along.squaredNorm();
-  const double part =
-      length > 0 ? std::clamp((point - a).dot(along) / length, 0.0, 1.0) : 0.0;
-  return (point - a - part * along).norm();
 }
 
 double
@@ -157,7 +147,8 @@ PlaneOutline::distanceWithin(const Eigen::Vector3d& point) const
     for (const FlatLoop& loop : polygon)
       for (std::size_t k = 0; k < loop.size(); ++k)
         minimum = std::min(
-            minimum, distanceToSegment(place, loop[k], loop[(k + 1) % loop.size()]));
+            minimum,
+            std::sqrt(squaredDistance(place, loop[k], loop[(k + 1) % loop.size()])));
   return minimum;
 }
 
