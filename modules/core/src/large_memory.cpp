@@ -19,7 +19,7 @@ adviseLargePages(void* begin, std::size_t bytes)
 #ifdef MADV_HUGEPAGE
   constexpr std::uintptr_t page = 4096;
   constexpr std::size_t worthwhile = std::size_t{4} << 20;
-  if (bytes < worthwhile)
+  if (bytes < worthwhile || isInScratch(begin))
     return;
   const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
   const auto end = (reinterpret_cast<std::uintptr_t>(begin) + bytes) / page * page;

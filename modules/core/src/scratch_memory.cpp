@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -101,6 +102,15 @@ public:
     size_ += bytes;
   }
 
+  bool
+  holds(const void* address)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto after = blocks_.upper_bound(static_cast<const char*>(address));
+    return after != blocks_.begin() &&
+           address < std::prev(after)->first + std::prev(after)->second;
+  }
+
   /** \ref release must never see what is mapped next at that address: it is forgotten
    * first. Removing the file may take long, and needs no lock. */
   void
@@ -149,7 +159,7 @@ private:
   }
 
   std::mutex mutex_;
-  std::map<char*, std::size_t> blocks_;
+  std::map<char*, std::size_t, std::less<>> blocks_;
   std::size_t size_ = 0; ///< of all blocks
   char* next_ = nullptr; ///< whose turn it is
 };
@@ -200,7 +210,9 @@ public:
       return nullptr;
     }
 #ifdef MADV_NOHUGEPAGE
-    // A visit of an array in no order would bring in 2 MB; who fills one asks for that.
+    // A visit of an array in no order would bring in 2 MB, and the first write into a
+    // page that came back takes as long as the pages that the file system keeps together
+    // are large.
     ::madvise(memory, bytes, MADV_NOHUGEPAGE);
 #endif
     ScratchBlocks::all().add(memory, bytes);
@@ -323,7 +335,7 @@ void
 keepScratchSmall()
 {
   using Clock = std::chrono::steady_clock;
-  // A fault brings in 64 KB or 2 MB in some microseconds.
+  // A fault brings in 64 KB in some microseconds.
   constexpr std::chrono::microseconds long_pause(1000), short_pause(100);
   static thread_local Clock::time_point next;
   if (!ScratchScopes::all().isAny() || Clock::now() < next)
@@ -331,6 +343,12 @@ keepScratchSmall()
   const std::shared_ptr<ScratchScope> scope = ScratchScopes::all().last();
   const bool is_close = scope && scope->check();
   next = Clock::now() + (is_close ? short_pause : long_pause);
+}
+
+bool
+isInScratch(const void* address)
+{
+  return ScratchBlocks::all().holds(address);
 }
 
 void

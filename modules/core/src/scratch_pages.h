@@ -12,6 +12,10 @@ inline constexpr std::size_t worth_pages = std::size_t{1} << 18;
 void*
 mapScratch(std::size_t bytes);
 
+/** \brief Is this address in a block of scratch memory? */
+bool
+isInScratch(const void* address);
+
 /** \brief Unmaps a block of at least \ref worth_pages bytes, in a file or not. */
 void
 unmapLarge(void* memory, std::size_t bytes);

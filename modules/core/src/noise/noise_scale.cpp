@@ -448,6 +448,19 @@ isPlateau(const ScaleLevel& fine, const ScaleLevel& coarse)
          coarse.planar_share >= min_share * fine.planar_share;
 }
 
+/** Has the scale passed from the surfaces to what they enclose? Few windows are planar
+ * then, although many were at a finer scale; at still coarser scales, a storey of a
+ * building would be one thick plane. */
+bool
+isBeyondSurfaces(const std::vector<ScaleLevel>& levels)
+{
+  constexpr double many = 0.25, least_of_finer = 0.25;
+  return std::any_of(levels.begin(), levels.end() - 1, [&](const ScaleLevel& finer) {
+    return holdsItsNoise(finer) && finer.planar_share >= many &&
+           levels.back().planar_share < least_of_finer * finer.planar_share;
+  });
+}
+
 /** Adds scales up to the first plateau.
  * \return the level of the plateau, -1 if there is none */
 int
@@ -459,6 +472,8 @@ climbToPlateau(Pyramid& pyramid)
     if (isPlateau(pyramid.levels[static_cast<std::size_t>(level)],
                   pyramid.levels.back()))
       return level;
+    if (isBeyondSurfaces(pyramid.levels))
+      break;
   }
   return -1;
 }

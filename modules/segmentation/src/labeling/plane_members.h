@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/core/scratch_memory.h>
+#include <pcl/core/impl/large_memory.h>
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -15,21 +15,54 @@ namespace pcl::acmap::labeling {
  * result for any number of threads. */
 class PlaneMembers {
 public:
+  /** Passes over a plane's points. What belongs to them may be far apart in scratch
+   * memory, and each visit may bring in pages. */
+  class Iterator {
+  public:
+    explicit Iterator(const std::uint32_t* member)
+    : member_(member)
+    {}
+
+    std::uint32_t
+    operator*() const
+    {
+      return *member_;
+    }
+
+    Iterator&
+    operator++()
+    {
+      constexpr std::uintptr_t bytes = 4096; // of members: 1024 of them
+      if (reinterpret_cast<std::uintptr_t>(++member_) % bytes == 0)
+        keepScratchSmall();
+      return *this;
+    }
+
+    bool
+    operator!=(const Iterator& other) const
+    {
+      return member_ != other.member_;
+    }
+
+  private:
+    const std::uint32_t* member_;
+  };
+
   /** A plane's points. */
   struct Range {
     const std::uint32_t* first;
     const std::uint32_t* last;
 
-    const std::uint32_t*
+    Iterator
     begin() const
     {
-      return first;
+      return Iterator(first);
     }
 
-    const std::uint32_t*
+    Iterator
     end() const
     {
-      return last;
+      return Iterator(last);
     }
   };
 

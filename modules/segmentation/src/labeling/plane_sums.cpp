@@ -28,8 +28,6 @@ sumPlane(const Survey& survey,
 {
   PlaneSums sums;
   for (const std::size_t i : members) {
-    if (i % parallel_chunk == 0)
-      keepScratchSmall();
     if (survey.entry(i) < 0) // a member may be outside of the grid
       continue;
     const std::size_t count = survey.count(i);
@@ -176,8 +174,6 @@ sumClusters(const Survey& survey,
     const bool is_clean = sums[plane].isClean();
     LargeVector<FitSums>& clusters = sums[plane].clusters;
     for (const std::size_t i : range) {
-      if (i % parallel_chunk == 0)
-        keepScratchSmall();
       const std::int32_t entry = survey.entry(i);
       if (entry < 0)
         continue;

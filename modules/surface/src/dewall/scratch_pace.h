@@ -15,7 +15,7 @@ public:
   void
   operator()()
   {
-    if (visited_++ % 16 == 0)
+    if (visited_++ % 64 == 0)
       keepScratchSmall();
   }
 

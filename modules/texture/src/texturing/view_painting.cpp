@@ -32,20 +32,51 @@ colorOf(const ColoredView& view, std::size_t i)
 /** What a pixel sees, if it is no surface of the map. */
 constexpr std::int32_t something_else = -1, nothing = -2;
 
+/** Pixels around a texel in which its surface is looked for. */
+constexpr int reaches[] = {2, 4};
+constexpr int largest_reach = 4;
+
+/** The pixels that see a surface are in this rectangle. */
+using PixelBox = Eigen::AlignedBox<double, 2>;
+
+/** \param[in] seen as \ref Painter takes it
+ * \return of each surface, with that border in which a texel may still be visible */
+std::vector<PixelBox>
+boxesOf(const std::vector<std::int32_t>& seen, int width, std::size_t surfaces)
+{
+  std::vector<PixelBox> boxes(surfaces);
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (seen[i] >= 0)
+      boxes[static_cast<std::size_t>(seen[i])].extend(
+          Eigen::Vector2d(static_cast<double>(i % static_cast<std::size_t>(width)),
+                          static_cast<double>(i / static_cast<std::size_t>(width))));
+  constexpr double border =
+      largest_reach + 1.5; // a half for rounding, 1 for its errors
+  for (PixelBox& box : boxes)
+    if (!box.isEmpty()) {
+      box.min().array() -= border;
+      box.max().array() += border;
+    }
+  return boxes;
+}
+
 /** Textures one canvas with one view. */
 class Painter {
 public:
   /** \param[in] seen for each pixel the number of the surface that it sees,
-   * \ref something_else, or \ref nothing if it has no depth */
+   * \ref something_else, or \ref nothing if it has no depth
+   * \param[in] box of the pixels that may colour the canvas */
   Painter(const ColoredView& view,
           const Pinhole& camera,
           std::int32_t number,
           const std::vector<std::int32_t>& seen,
+          const PixelBox& box,
           Canvas& canvas)
   : view_(view)
   , camera_(camera)
   , number_(number)
   , seen_(seen)
+  , box_(box)
   , canvas_(canvas)
   , height_(static_cast<int>(view.points.size()) / view.width)
   , T_camera_map_(view.T_map_camera.inverse())
@@ -79,9 +110,8 @@ public:
 private:
   static constexpr double min_depth = 0.05; // metres
 
-  /** The columns of a row that may be in the image, from the first to the end. The row
-   * of a plane is a straight line, of which each border of the image cuts a part off, here
-   * with a margin for rounding. */
+  /** The columns of a row that may be in the box, from the first to the end. The row of a
+   * plane is a straight line, of which each border of the box cuts a part off. */
   std::pair<std::int32_t, std::int32_t>
   columnsInView(std::int32_t row) const
   {
@@ -90,15 +120,14 @@ private:
       return {0, width};
     const Eigen::Vector3d start = T_camera_map_ * canvas_.surface.middleOf(0, row);
     const Eigen::Vector3d stop = T_camera_map_ * canvas_.surface.middleOf(width, row);
-    constexpr double margin = 1; // pixels
     const auto distances = [&](const Eigen::Vector3d& point) {
       const double x = camera_.fx * point.x() + camera_.cx * point.z();
       const double y = camera_.fy * point.y() + camera_.cy * point.z();
       return std::array<double, 5>{point.z() - min_depth / 2,
-                                   x + margin * point.z(),
-                                   y + margin * point.z(),
-                                   (view_.width - 1 + margin) * point.z() - x,
-                                   (height_ - 1 + margin) * point.z() - y};
+                                   x - box_.min().x() * point.z(),
+                                   y - box_.min().y() * point.z(),
+                                   box_.max().x() * point.z() - x,
+                                   box_.max().y() * point.z() - y};
     };
     const std::array<double, 5> from = distances(start), to = distances(stop);
     double first = 0, end = 1;
@@ -140,7 +169,7 @@ private:
     constexpr double unmeasured = 0.3;
     const int column = static_cast<int>(std::lround(pixel.x()));
     const int row = static_cast<int>(std::lround(pixel.y()));
-    for (const int reach : {2, 4}) {
+    for (const int reach : reaches) {
       int own = 0, others = 0;
       for (int r = -reach; r <= reach; r += reach)
         for (int c = -reach; c <= reach; c += reach)
@@ -148,7 +177,7 @@ private:
       if (others > 0)
         return 0;
       if (own > 0)
-        return reach > 2 ? unmeasured : 1;
+        return reach == largest_reach ? unmeasured : 1;
     }
     return 0;
   }
@@ -260,6 +289,7 @@ private:
   const Pinhole& camera_;
   std::int32_t number_;
   const std::vector<std::int32_t>& seen_;
+  const PixelBox& box_;
   Canvas& canvas_;
   int height_; ///< pixels
   Eigen::Isometry3d T_camera_map_;
@@ -307,15 +337,14 @@ paintPinhole(const ColoredView& view,
       else
         seen[i] = view.points[i].allFinite() ? something_else : nothing;
   });
-  std::vector<bool> is_seen(canvases.empty() ? 0 : canvases.back().number + 1, false);
-  for (const std::int32_t surface : seen)
-    if (surface >= 0)
-      is_seen[static_cast<std::size_t>(surface)] = true;
+  const std::vector<PixelBox> boxes =
+      boxesOf(seen, view.width, canvases.empty() ? 0 : canvases.back().number + 1);
   oneapi::tbb::parallel_for(std::size_t{0}, canvases.size(), [&](std::size_t c) {
     Canvas& canvas = canvases[c];
-    if (!is_seen[canvas.number])
+    const PixelBox& box = boxes[canvas.number];
+    if (box.isEmpty())
       return;
-    Painter painter(view, camera, number, seen, canvas);
+    Painter painter(view, camera, number, seen, box, canvas);
     oneapi::tbb::parallel_for(std::int32_t{0},
                               canvas.chart.colors.height,
                               [&](std::int32_t row) { painter.paintRow(row); });
