@@ -24,7 +24,8 @@ TEST(PlaneMembers, areAllPointsOfEachPlaneInTheirOrder)
     labeling::PlaneMembers(labels.data(), labels.size(), planes)
         .forEachPlane([&](std::size_t plane, labeling::PlaneMembers::Range members) {
           ++visits[plane];
-          found[plane].assign(members.begin(), members.end());
+          for (const std::uint32_t i : members)
+            found[plane].push_back(i);
         });
     EXPECT_EQ(found, expected);
     EXPECT_EQ(visits, std::vector<int>(planes, 1));

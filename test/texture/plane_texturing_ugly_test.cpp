@@ -273,6 +273,22 @@ TEST(PlaneTexturingUgly, OnePixelIsATexel)
   EXPECT_EQ(report.seen, 1u);
 }
 
+TEST(PlaneTexturingUgly, TexelsAreEnlargedWhereThereWouldBeTooMany)
+{
+  constexpr double most = 1 << 28;
+  Texturing texturing = texturingOf(planesOfWallAndFloor(), {});
+  texturing.setTexelSize(0.1);
+  const double texels = static_cast<double>(painted(texturing).charts[0].colors.width) *
+                        painted(texturing).charts[0].colors.height;
+  EXPECT_EQ(reportOf(texturing).texel_size, 0.1);
+  EXPECT_EQ(reportOf(texturing).remarks.size(), 1u); // of the missing observations
+  const double bytes = texturing.estimateMemory();
+  texturing.setTexelSize(1e-4);
+  EXPECT_GT(1e6 * texels, most);
+  EXPECT_LT(texturing.estimateMemory(), bytes / texels * 1.01 * most);
+  EXPECT_GT(texturing.estimateMemory(), bytes / texels * 0.2 * most);
+}
+
 TEST(PlaneTexturingUgly, HugeTexelsAtTheCameraAreNoMatter)
 {
   const View view = lookAt(wallAndFloor(), {{0, 0, 2.9}});

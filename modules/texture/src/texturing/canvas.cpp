@@ -3,7 +3,6 @@
 #include "texturing/chart_frame.h"
 
 #include <pcl/core/cylinder_facets.h>
-#include <pcl/core/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -109,6 +108,21 @@ addRim(std::size_t width, std::size_t height, std::vector<TexelPlace>& mask)
 } // namespace
 
 double
+legalTexelSize(const std::vector<PlanePatch>& planes,
+               const std::vector<CylinderPatch>& cylinders,
+               double texel_size)
+{
+  constexpr double max_texels = 1 << 28;
+  for (;;) {
+    const double texels = texelsOf(gridsOf(planes, texel_size), cylinders, texel_size);
+    if (!(texels > max_texels))
+      return texel_size;
+    // the rest is for rows and columns that are cut
+    texel_size *= 1.001 * std::sqrt(texels / max_texels);
+  }
+}
+
+double
 canvasBytes(const std::vector<PlanePatch>& planes,
             const std::vector<CylinderPatch>& cylinders,
             double texel_size,
@@ -127,10 +141,6 @@ canvasesOf(const std::vector<PlanePatch>& planes,
            std::size_t& left_out)
 {
   const Grids grids = gridsOf(planes, texel_size);
-  constexpr double max_texels = 1 << 28;
-  if (texelsOf(grids, cylinders, texel_size) > max_texels)
-    throw BadArgumentException("the charts have more than 2^28 texels: choose larger "
-                               "ones");
   std::vector<Canvas> canvases;
   auto grid = grids.begin();
   for (std::size_t p = 0; p < planes.size(); ++p)

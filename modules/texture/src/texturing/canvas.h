@@ -111,12 +111,18 @@ struct Canvas {
   }
 };
 
+/** The edge of a texel in metres, at least \p texel_size, of which these surfaces have at
+ * most 2^28: as many as a map may have. */
+double
+legalTexelSize(const std::vector<PlanePatch>& planes,
+               const std::vector<CylinderPatch>& cylinders,
+               double texel_size);
+
 /** The canvases of the polygons, in the order of the planes, then those of the cylinders,
  * without samples and points. A cylinder has one canvas, whose texels are enlarged if it
  * would have too many.
  * \param[in,out] left_out is increased by the number of polygons and cylinders that cannot
- * have a canvas
- * \throws BadArgumentException when they have more than 2^28 texels */
+ * have a canvas */
 std::vector<Canvas>
 canvasesOf(const std::vector<PlanePatch>& planes,
            const std::vector<CylinderPatch>& cylinders,

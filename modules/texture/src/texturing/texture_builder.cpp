@@ -5,6 +5,7 @@
 #include <pcl/texture/impl/texturing_kernel.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <set>
 
 namespace pcl::acmap {
@@ -105,6 +106,7 @@ struct TextureBuilder::State {
   std::vector<PlanePatch> planes;
   std::vector<CylinderPatch> cylinders;
   TexturingSettings settings;
+  double texel_size = 0; ///< metres; the one of the settings, or a larger one
   std::vector<Canvas> canvases;
   IntensityGreys greys;
   Counts counts;
@@ -120,9 +122,10 @@ TextureBuilder::TextureBuilder(const std::vector<PlanePatch>& planes,
   state_->planes = planes;
   state_->cylinders = cylinders;
   state_->settings = settings;
+  state_->texel_size = legalTexelSize(planes, cylinders, settings.texel_size);
   state_->canvases = canvasesOf(planes,
                                 cylinders,
-                                settings.texel_size,
+                                state_->texel_size,
                                 settings.maximum_texture_size,
                                 state_->left_out);
   for (Canvas& canvas : state_->canvases)
@@ -140,7 +143,10 @@ texturingMemory(const std::vector<PlanePatch>& planes,
   const std::size_t in_work =
       settings.paper ? sizeof(PointColors) : sizeof(Canvas::Samples);
   const bool is_in_files = ScratchMemory::getResidentInEffect() > 0;
-  return canvasBytes(planes, cylinders, settings.texel_size, is_in_files ? 0 : in_work);
+  return canvasBytes(planes,
+                     cylinders,
+                     legalTexelSize(planes, cylinders, settings.texel_size),
+                     is_in_files ? 0 : in_work);
 }
 
 TextureBuilder::~TextureBuilder() = default;
@@ -306,9 +312,19 @@ takePictures(const std::vector<Canvas>& canvases, CompactMap& map)
   return pictures;
 }
 
+/** \param[in] texel_size that was set, metres */
 void
-remark(std::size_t left_out, TexturingReport& report)
+remark(std::size_t left_out, double texel_size, TexturingReport& report)
 {
+  if (report.texel_size > texel_size) {
+    char text[96];
+    std::snprintf(text,
+                  sizeof text,
+                  "more than 2^28 texels of %.3g mm would be needed: they have %.3g mm",
+                  1000 * texel_size,
+                  1000 * report.texel_size);
+    report.remarks.emplace_back(text);
+  }
   if (left_out > 0)
     report.remarks.push_back(
         "polygons and cylinders left out: " + std::to_string(left_out) +
@@ -345,7 +361,7 @@ TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
     report.colored_points = state.counts.colored_points;
     report.far_points = state.counts.far_points;
     report.charts = state.canvases.size();
-    report.texel_size = state.settings.texel_size;
+    report.texel_size = state.texel_size;
     progress.tell(0.0, "exposure");
     const bool is_paper = state.settings.paper;
     report.gains = state.settings.correct_exposure && !is_paper
@@ -372,7 +388,7 @@ TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
       count(state.canvases[c], *pictures[c], report);
     map.exposure = displayExposure(map);
     timer.finish("blending");
-    remark(state.left_out, report);
+    remark(state.left_out, state.settings.texel_size, report);
     progress.tell(1.0, "done");
     return map;
   });
