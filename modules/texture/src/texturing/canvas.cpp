@@ -3,6 +3,7 @@
 #include "texturing/chart_frame.h"
 
 #include <pcl/core/cylinder_facets.h>
+#include <pcl/core/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,8 @@ namespace pcl::acmap::texturing {
 namespace {
 
 using Grids = std::vector<std::optional<ChartGrid>>;
+
+constexpr double max_texels = 1 << 28; ///< of a map
 
 /** Grids of all polygons, plane by plane. */
 Grids
@@ -112,14 +115,15 @@ legalTexelSize(const std::vector<PlanePatch>& planes,
                const std::vector<CylinderPatch>& cylinders,
                double texel_size)
 {
-  constexpr double max_texels = 1 << 28;
-  for (;;) {
-    const double texels = texelsOf(gridsOf(planes, texel_size), cylinders, texel_size);
-    if (!(texels > max_texels))
-      return texel_size;
+  constexpr double most_enlarged = 2;
+  for (double size = texel_size; size <= most_enlarged * texel_size;) {
+    const double texels = texelsOf(gridsOf(planes, size), cylinders, size);
+    if (texels <= max_texels)
+      return size;
     // the rest is for rows and columns that are cut
-    texel_size *= 1.001 * std::sqrt(texels / max_texels);
+    size *= 1.001 * std::sqrt(texels / max_texels);
   }
+  return texel_size;
 }
 
 double
@@ -141,6 +145,9 @@ canvasesOf(const std::vector<PlanePatch>& planes,
            std::size_t& left_out)
 {
   const Grids grids = gridsOf(planes, texel_size);
+  if (texelsOf(grids, cylinders, texel_size) > max_texels)
+    throw BadArgumentException("the charts have more than 2^28 texels: choose larger "
+                               "ones");
   std::vector<Canvas> canvases;
   auto grid = grids.begin();
   for (std::size_t p = 0; p < planes.size(); ++p)

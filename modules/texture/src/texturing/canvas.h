@@ -111,8 +111,8 @@ struct Canvas {
   }
 };
 
-/** The edge of a texel in metres, at least \p texel_size, of which these surfaces have at
- * most 2^28: as many as a map may have. */
+/** The edge of a texel in metres, one to two times \p texel_size, of which these surfaces
+ * have at most 2^28, as many as a map may have; \p texel_size if there is none. */
 double
 legalTexelSize(const std::vector<PlanePatch>& planes,
                const std::vector<CylinderPatch>& cylinders,
@@ -122,7 +122,8 @@ legalTexelSize(const std::vector<PlanePatch>& planes,
  * without samples and points. A cylinder has one canvas, whose texels are enlarged if it
  * would have too many.
  * \param[in,out] left_out is increased by the number of polygons and cylinders that cannot
- * have a canvas */
+ * have a canvas
+ * \throws BadArgumentException when they have more than 2^28 texels */
 std::vector<Canvas>
 canvasesOf(const std::vector<PlanePatch>& planes,
            const std::vector<CylinderPatch>& cylinders,

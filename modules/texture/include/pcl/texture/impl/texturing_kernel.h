@@ -68,7 +68,9 @@ texturingMemory(const std::vector<PlanePatch>& planes,
  * that the views need not be in memory at the same time. */
 class ACMAP_EXPORT TextureBuilder {
 public:
-  /** \param[in] planes in the map's frame; those without polygons get no chart */
+  /** \param[in] planes in the map's frame; those without polygons get no chart
+   * \throws BadArgumentException when all charts together have more than 2^28 texels of
+   * twice the size */
   TextureBuilder(const std::vector<PlanePatch>& planes,
                  const std::vector<CylinderPatch>& cylinders,
                  const TexturingSettings& settings);
