@@ -454,10 +454,10 @@ isPlateau(const ScaleLevel& fine, const ScaleLevel& coarse)
 bool
 isBeyondSurfaces(const std::vector<ScaleLevel>& levels)
 {
-  constexpr double many = 0.25, least_of_finer = 0.25;
+  constexpr double min_share = 0.25, min_remaining_share = 0.25;
   return std::any_of(levels.begin(), levels.end() - 1, [&](const ScaleLevel& finer) {
-    return holdsItsNoise(finer) && finer.planar_share >= many &&
-           levels.back().planar_share < least_of_finer * finer.planar_share;
+    return holdsItsNoise(finer) && finer.planar_share >= min_share &&
+           levels.back().planar_share < min_remaining_share * finer.planar_share;
   });
 }
 

@@ -115,8 +115,8 @@ legalTexelSize(const std::vector<PlanePatch>& planes,
                const std::vector<CylinderPatch>& cylinders,
                double texel_size)
 {
-  constexpr double most_enlarged = 2;
-  for (double size = texel_size; size <= most_enlarged * texel_size;) {
+  constexpr double max_enlargement = 2;
+  for (double size = texel_size; size <= max_enlargement * texel_size;) {
     const double texels = texelsOf(gridsOf(planes, size), cylinders, size);
     if (texels <= max_texels)
       return size;

@@ -33,8 +33,7 @@ colorOf(const ColoredView& view, std::size_t i)
 constexpr std::int32_t something_else = -1, nothing = -2;
 
 /** Pixels around a texel in which its surface is looked for. */
-constexpr int reaches[] = {2, 4};
-constexpr int largest_reach = 4;
+constexpr int near_reach = 2, far_reach = 4;
 
 /** The pixels that see a surface are in this rectangle. */
 using PixelBox = Eigen::AlignedBox<double, 2>;
@@ -50,8 +49,7 @@ boxesOf(const std::vector<std::int32_t>& seen, int width, std::size_t surfaces)
       boxes[static_cast<std::size_t>(seen[i])].extend(
           Eigen::Vector2d(static_cast<double>(i % static_cast<std::size_t>(width)),
                           static_cast<double>(i / static_cast<std::size_t>(width))));
-  constexpr double border =
-      largest_reach + 1.5; // a half for rounding, 1 for its errors
+  constexpr double border = far_reach + 1.5; // a half for rounding, 1 for its errors
   for (PixelBox& box : boxes)
     if (!box.isEmpty()) {
       box.min().array() -= border;
@@ -169,7 +167,7 @@ private:
     constexpr double unmeasured = 0.3;
     const int column = static_cast<int>(std::lround(pixel.x()));
     const int row = static_cast<int>(std::lround(pixel.y()));
-    for (const int reach : reaches) {
+    for (const int reach : {near_reach, far_reach}) {
       int own = 0, others = 0;
       for (int r = -reach; r <= reach; r += reach)
         for (int c = -reach; c <= reach; c += reach)
@@ -177,7 +175,7 @@ private:
       if (others > 0)
         return 0;
       if (own > 0)
-        return reach == largest_reach ? unmeasured : 1;
+        return reach == far_reach ? unmeasured : 1;
     }
     return 0;
   }
