@@ -87,14 +87,13 @@ checkOptions(const Tool& tool, const Options& options)
   checkChoices(options);
 }
 
-/** Writes a cloud as PCD with the plane of each point, see withLabels.
- * \param[in] file passed by value and released, as it may be large */
+/** Writes a cloud as PCD with the plane of each point, see withLabels. */
 void
 saveLabels(const std::string& path,
-           pcl::PointCloudFile file,
+           const pcl::PointCloudFile& file,
            const std::vector<std::int32_t>& planes)
 {
-  pcl::PCLPointCloud2 cloud = withLabels(std::move(file.cloud), planes);
+  pcl::PCLPointCloud2 cloud = withLabels(file.cloud, planes);
   dropUnwritableFields(cloud);
   pcl::savePointCloud(path, cloud, file.sensor_origin, file.sensor_orientation);
 }
@@ -102,7 +101,7 @@ saveLabels(const std::string& path,
 void
 writeOutputs(const Options& options,
              const pcl::MappedPlanes& found,
-             pcl::PointCloudFile file)
+             const pcl::PointCloudFile& file)
 {
   OutputGroup outputs;
   const auto write = [&](const std::string& path, const auto& save) {
@@ -117,9 +116,8 @@ writeOutputs(const Options& options,
   });
   write(options.normals, [&](const std::string& place) { saveNormals(place, found); });
   write(options.picture, [&](const std::string& place) { savePicture(place, found); });
-  write(options.labels, [&](const std::string& place) {
-    saveLabels(place, std::move(file), labelsOf(found));
-  });
+  write(options.labels,
+        [&](const std::string& place) { saveLabels(place, file, labelsOf(found)); });
   stopIfInterrupted();
   outputs.commit();
 }
@@ -151,10 +149,12 @@ run(const Options& options, const RunControls& controls, StageLog& log)
                                                 log,
                                                 std::move(triangles));
   log.warn(file->remarks);
-  log.warn(lengthRemarks(found.vertices.points(), found.spacing, controls.scale));
+  log.warn(lengthRemarks(found.vertices ? requirePoints(found.vertices) : PointView(),
+                         found.spacing,
+                         controls.scale));
   requirePlanes(options.input, found, log);
   StepTimer write_timer(log.report);
-  writeOutputs(options, found, std::move(*file));
+  writeOutputs(options, found, *file);
   write_timer.finish("write");
 
   tellPlanes(found, log);

@@ -8,7 +8,7 @@ pythonNormals(VotedNormals&& votes, bool with_curvatures, py::object report)
   Normals result;
   result.votes = std::make_shared<VotedNormals>(std::move(votes));
   const auto owner = owned(std::shared_ptr<VotedNormals>(result.votes)).second;
-  const std::vector<VotedNormal>& all = result.votes->normals;
+  const LargeVector<VotedNormal>& all = result.votes->normals;
   result.normals = fieldOf<float>(
       all, 3, owner, [](const VotedNormal& one) { return one.normal.data(); });
   result.directions = fieldOf<float>(

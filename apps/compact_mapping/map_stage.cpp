@@ -45,7 +45,8 @@ savePictures(const OutputFolder& folder,
   const UnlimitedMemory while_drawing;
   fs::create_directories(folder.path(pictureName("")));
   const auto place = [&](const char* name) { return folder.path(pictureName(name)); };
-  saveSnapshot(place("mesh.png"), found.vertices.cloud, found.mesh, sceneViewOf(found));
+  saveSnapshot(
+      place("mesh.png"), found.vertices.copy(), found.mesh, sceneViewOf(found));
   savePicture(place("planes.png"), found);
   const std::pair<const char*, MapView::Place> places[] = {
       {"outside.png", MapView::Place::Outside},

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 
 namespace pcl::acmap {
 
@@ -221,28 +222,49 @@ tellBits(const PlaneMappingReport& report, StageLog& log)
     tell("recesses", report.recesses->bits_before, report.recesses->bits_after);
 }
 
-PCLPointCloud2
-withVotes(const MappedPlanes& found)
-{
-  const char* const names[] = {"normal_x", "normal_y", "normal_z", "curvature"};
-  std::vector<FieldWish> wishes;
-  for (const char* name : names)
-    wishes.push_back({name, PCLPointField::FLOAT32});
-  wishes.push_back({"vertex_class", PCLPointField::UINT8});
-  PCLPointCloud2 result = withFields(found.vertices.cloud, wishes);
-  std::vector<std::size_t> offsets;
-  for (const FieldWish& wish : wishes)
-    offsets.push_back(findField(result, wish.name)->offset);
-  for (std::size_t row = 0; found.normals && row < found.normals->size(); ++row) {
-    const Normal& normal = (*found.normals)[row];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      setValue(result, row, offsets[axis], normal.normal[axis]);
-    setValue(result, row, offsets[3], normal.curvature);
-    const std::uint32_t vertex_class = (*found.vertex_classes)[row].label;
-    setValue(result, row, offsets[4], static_cast<std::uint8_t>(vertex_class));
+/** Writes the votes of a vertex and its label into the row of a vertex. */
+class VoteWriter {
+public:
+  explicit VoteWriter(const MappedPlanes& found)
+  : found_(found)
+  {
+    for (const PCLPointField& field : found.normals.layout().fields)
+      wishes_.push_back({field.name, field.datatype});
+    wishes_.push_back({"label", PCLPointField::UINT32});
+    const PCLPointCloud2 layout = layoutWith(found.vertices.layout(), wishes_);
+    for (const FieldWish& wish : wishes_)
+      offsets_.push_back(findField(layout, wish.name)->offset);
   }
-  return result;
-}
+
+  const std::vector<FieldWish>&
+  wishes() const
+  {
+    return wishes_;
+  }
+
+  void
+  operator()(std::uint8_t* row, std::size_t vertex) const
+  {
+    const PCLPointCloud2& votes = found_.normals.layout();
+    const std::uint8_t* const from = found_.normals.data() + vertex * votes.point_step;
+    for (std::size_t f = 0; f < votes.fields.size(); ++f) {
+      const PCLPointField& field = votes.fields[f];
+      std::memcpy(row + offsets_[f], from + field.offset, getFieldSize(field.datatype));
+    }
+    const std::int32_t cylinder =
+        found_.vertex_cylinders.empty() ? -1 : found_.vertex_cylinders[vertex];
+    const auto label = static_cast<std::uint32_t>(
+        1 + (cylinder < 0
+                 ? found_.vertex_labels[vertex]
+                 : static_cast<std::int32_t>(found_.planes.size()) + cylinder));
+    std::memcpy(row + offsets_.back(), &label, sizeof label);
+  }
+
+private:
+  const MappedPlanes& found_;
+  std::vector<FieldWish> wishes_;
+  std::vector<std::size_t> offsets_;
+};
 
 } // namespace
 
@@ -432,16 +454,16 @@ labelsOf(const MappedPlanes& found)
 void
 saveNormals(const std::string& path, const MappedPlanes& found)
 {
-  saveTriangleMesh(
-      path, withLabels(withVotes(found), labelsOfVertices(found)), found.mesh);
+  const VoteWriter write(found);
+  saveTriangleMesh(path, rowsWith(found.vertices, write.wishes(), write), found.mesh);
 }
 
 SceneView
 sceneViewOf(const MappedPlanes& found)
 {
   SceneView view;
-  view.sensor_origin = found.vertices.sensor_origin;
-  view.sensor_orientation = found.vertices.sensor_orientation;
+  view.sensor_origin = found.sensor_origin;
+  view.sensor_orientation = found.sensor_orientation;
   view.hide_backs = true;
   return view;
 }
@@ -452,7 +474,7 @@ savePicture(const std::string& path, const MappedPlanes& found)
   const UnlimitedMemory while_drawing;
   saveSnapshot(
       path,
-      coloredByLabel(withLabels(found.vertices.cloud, labelsOfVertices(found))),
+      coloredByLabel(withLabels(found.vertices.copy(), labelsOfVertices(found))),
       found.mesh,
       sceneViewOf(found));
 }

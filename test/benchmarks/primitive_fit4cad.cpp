@@ -178,7 +178,7 @@ score(const Model& model)
   clustering.segment(patches);
   Score result;
   result.seconds = processSeconds() - begin;
-  const std::vector<std::int32_t>& labels = clustering.getLabels();
+  const PointLabels& labels = clustering.getLabels();
   const double size = static_cast<double>(model.cloud->size());
   const auto common = [&](const TrueCylinder& truth, std::size_t patch) {
     return std::count_if(

@@ -86,7 +86,7 @@ TEST(PictureOrder, isFoundAgainWithoutPixelsThatMeasureNothing)
   const std::vector<Eigen::Vector3f> arranged = order->arrange(viewOf(points));
   EXPECT_EQ(arranged[kept[5]], points[5]);
   EXPECT_TRUE(DepthView::recognize(viewOf(arranged), order->width));
-  std::vector<std::int32_t> labels(room.points.size(), 4);
+  PointLabels labels(room.points.size(), 4);
   labels[kept[7]] = 9;
   EXPECT_EQ(order->labelsOfPoints(labels)[7], 9);
   EXPECT_EQ(order->labelsOfPoints(labels).back(), -1);

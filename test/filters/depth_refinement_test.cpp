@@ -163,7 +163,7 @@ TEST(DepthRefinement, laysPixelsOntoThePlanesThatItIsGiven)
   const Cloud::Ptr cloud = cloudOf(room.points);
   DepthRefinement<PointNormal> refinement;
   refinement.setInputCloud(cloud);
-  std::vector<std::int32_t> labels(room.truth.begin(), room.truth.end());
+  PointLabels labels(room.truth.begin(), room.truth.end());
   refinement.setPlanes(patchesOf(room), labels);
   Cloud result;
   refinement.filter(result);
@@ -191,7 +191,7 @@ TEST(DepthRefinement, doesNotFollowAPlaneBehindTheSensor)
   refinement.setInputCloud(cloudOf(room.points));
   std::vector<PlanePatch> behind(1);
   behind[0].coefficients << 0, 0, 1, 2; // z = -2
-  refinement.setPlanes(behind, std::vector<std::int32_t>(room.points.size(), 0));
+  refinement.setPlanes(behind, PointLabels(room.points.size(), 0));
   Cloud result;
   refinement.filter(result);
   EXPECT_EQ(refinement.getReport().on_planes, 0u);

@@ -261,7 +261,7 @@ TEST(PaperMapping, takesTheMedianOfTheShotsAndItsPointsAsTheyAre)
   projection.setInputRig(scene.rig);
   PointCloud<PointXYZRGBSigma> expected;
   projection.project(disparity, fusion.getColor(), expected);
-  const PointView found = mapping.getMappedPlanes().vertices.points();
+  const PointView found = requirePoints(mapping.getMappedPlanes().vertices);
   std::size_t row = 0;
   for (const PointXYZRGBSigma& point : expected)
     if (point.getVector3fMap().allFinite()) {

@@ -108,10 +108,9 @@ TEST_F(Office, isMappedAsTheClassesOneByOneWould)
   ASSERT_GE(found.planes.size(), 3U);
   EXPECT_EQ(found.labels.size(), cloud_->points().size());
   EXPECT_EQ(found.finite_points, cloud_->points().size());
-  const std::size_t vertices = found.vertices.points().size();
+  const std::size_t vertices = found.vertices.size();
   EXPECT_EQ(found.vertex_labels.size(), vertices);
-  EXPECT_EQ(found.normals->size(), vertices);
-  EXPECT_EQ(found.vertex_classes->size(), vertices);
+  EXPECT_EQ(found.normals.size(), vertices);
   EXPECT_LT(vertices, found.labels.size() / 5);
   const PlaneMappingReport& report = mapping.getReport();
   EXPECT_TRUE(report.consolidation && report.mesh && report.votes && report.planes);
@@ -210,7 +209,7 @@ TEST_F(SparseOffice, isMappedInPaperModeAsThePapersClassesOneByOneWould)
   EXPECT_EQ(report.mode, MappingMode::Paper);
   EXPECT_EQ(report.consolidated_points, 0U);
   EXPECT_FALSE(report.consolidation || report.noise_scale || report.depth_planes);
-  EXPECT_EQ(found.vertices.points().size(), points_->size());
+  EXPECT_EQ(found.vertices.size(), points_->size());
   EXPECT_EQ(found.labels.size(), points_->size());
 }
 
@@ -276,7 +275,7 @@ TEST_F(Office, hasTheSamePlanesWithItsPointsInFiles)
   EXPECT_GE(scratch.getBytes(), twice->data.size());
   EXPECT_EQ(in_files.labels, in_memory.labels);
   EXPECT_EQ(in_files.cylinder_labels, in_memory.cylinder_labels);
-  EXPECT_EQ(in_files.vertices.cloud.data, in_memory.vertices.cloud.data);
+  EXPECT_EQ(in_files.vertices.copy().data, in_memory.vertices.copy().data);
   EXPECT_EQ(in_files.mesh.triangles, in_memory.mesh.triangles);
   EXPECT_EQ(equationsOf(in_files.planes), equationsOf(in_memory.planes));
   EXPECT_EQ(in_files.finite_points, in_memory.finite_points);
@@ -304,7 +303,7 @@ TEST_F(Office, takesAMeshThatIsThere)
   PlaneMapping mapping = this->mapping();
   mapping.compute(first);
   PlaneMapping of_mesh;
-  of_mesh.setInputCloud(std::make_shared<const PointCloudFile>(first.vertices));
+  of_mesh.setInputCloud(first.vertices);
   of_mesh.setInputMesh(first.mesh);
   of_mesh.compute(again);
   EXPECT_EQ(again.mesh.triangles, first.mesh.triangles);
@@ -494,7 +493,7 @@ TEST(PlaneMapping, arrangesAViewWithoutItsNanPixels)
   mapping.compute(unorganized);
   EXPECT_EQ(unorganized.planes.size(), organized.planes.size());
   EXPECT_EQ(unorganized.labels.size(), dense->size());
-  EXPECT_GT(unorganized.vertices.cloud.height, 1U);
+  EXPECT_GT(unorganized.vertices.layout().height, 1U);
 }
 
 TEST(PlaneMapping, consolidatesAlwaysWhereItIsTold)
@@ -520,7 +519,7 @@ TEST(PlaneMapping, doesNotConsolidateWhatIsSparseAndExact)
   mapping.compute(found);
   ASSERT_EQ(found.planes.size(), 1U);
   EXPECT_FALSE(mapping.getReport().consolidation);
-  EXPECT_EQ(found.vertices.points().size(), floor->size());
+  EXPECT_EQ(found.vertices.size(), floor->size());
   EXPECT_EQ(found.labels, PointLabels(floor->size(), 0));
 }
 

@@ -132,7 +132,7 @@ TEST(ClusteringClass, noIndicesChooseNothing)
     clustering.setIndices(std::make_shared<Indices>());
   });
   EXPECT_TRUE(found.patches.empty());
-  EXPECT_EQ(found.labels, std::vector<std::int32_t>(441, -1));
+  EXPECT_EQ(found.labels, PointLabels(441, -1));
 }
 
 TEST(ClusteringClass, extractGivesThePointsOfEachPlane)

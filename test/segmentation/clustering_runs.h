@@ -13,7 +13,7 @@ using SetClustering = std::function<void(Clustering&)>;
 /** \brief Complete result of a run. */
 struct Clustered {
   std::vector<PlanePatch> patches;
-  std::vector<std::int32_t> labels;
+  PointLabels labels;
   PointLabels source_labels;
   PlaneClusteringReport report;
 };

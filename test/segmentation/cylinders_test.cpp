@@ -18,7 +18,7 @@ using Cylinders = CylinderHypothesisClustering<PointXYZ>;
 
 struct FoundCylinders {
   std::vector<CylinderPatch> patches;
-  std::vector<std::int32_t> labels;
+  PointLabels labels;
   CylinderClusteringReport report;
 };
 
@@ -125,7 +125,7 @@ TEST(Cylinders, planesOnThemFall)
 {
   const VotingMesh column = makeColumn(M_PI);
   std::vector<PlanePatch> strips(4);
-  std::vector<std::int32_t> labels;
+  PointLabels labels;
   for (std::size_t s = 0; s < strips.size(); ++s) {
     const double angle = M_PI * (static_cast<double>(s) - 1.5) / 4;
     strips[s].coefficients << std::sin(angle), 0, std::cos(angle), -0.48;
@@ -249,7 +249,7 @@ TEST(Cylinders, planesThatAreGivenAreNotSearchedAgain)
   const CylinderView view = seeColumns(0.01, 41);
   const std::vector<Eigen::Vector4d> room = planesOfRoom();
   std::vector<PlanePatch> planes(room.size());
-  std::vector<std::int32_t> labels(view.cloud->size(), -1);
+  PointLabels labels(view.cloud->size(), -1);
   for (std::size_t p = 0; p < room.size(); ++p) {
     planes[p].coefficients = room[p];
     for (std::size_t i = 0; i < labels.size(); ++i)
@@ -436,7 +436,7 @@ TEST(Cylinders, inputsThatDoNotFitAreRefused)
   clustering.setInputCloud(cloud.makeShared());
   clustering.setPlanes({PlanePatch()}, {0, 0});
   EXPECT_THROW(clustering.segment(patches), InitFailedException);
-  clustering.setPlanes({PlanePatch()}, std::vector<std::int32_t>(cloud.size(), 1));
+  clustering.setPlanes({PlanePatch()}, PointLabels(cloud.size(), 1));
   EXPECT_THROW(clustering.segment(patches), InitFailedException);
   clustering.setPlanes({}, {});
   clustering.setInputNormals(std::make_shared<PointCloud<Normal>>());

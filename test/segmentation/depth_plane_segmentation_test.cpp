@@ -217,7 +217,7 @@ TEST(DepthPlaneSegmentation, putsAViewWithoutItsGapsBackIntoItsPicture)
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t p = 0; p < found.size(); ++p)
     EXPECT_LT((found[p].coefficients - expected[p].coefficients).norm(), 1e-6);
-  std::vector<std::int32_t> labels = unorganized.getLabels();
+  PointLabels labels = unorganized.getLabels();
   std::reverse(labels.begin(), labels.end());
   EXPECT_EQ(labels, organized.getLabels());
   EXPECT_EQ(unorganized.getReport().points, row->size());
@@ -249,7 +249,7 @@ TEST(DepthPlaneSegmentation, refusesAndExplains)
     const Cloud::Ptr cloud = cloudOf(std::vector<Eigen::Vector3f>(4800, value), 80);
     EXPECT_TRUE(planesOf(ugly, cloud).empty());
     EXPECT_FALSE(ugly.getReport().remarks.empty());
-    EXPECT_EQ(ugly.getLabels(), std::vector<std::int32_t>(cloud->size(), -1));
+    EXPECT_EQ(ugly.getLabels(), PointLabels(cloud->size(), -1));
   }
   EXPECT_TRUE(planesOf(ugly, Cloud::Ptr(new Cloud)).empty());
   EXPECT_FALSE(ugly.getReport().remarks.empty());

@@ -88,7 +88,7 @@ growByKernel(const NaiveHypotheses& all,
   for (const Eigen::Vector3d& normal : all.normals)
     hypotheses.normals.emplace_back(normal.cast<float>());
   hypotheses.points = PointView(points.data(), sizeof(Eigen::Vector3f), points.size());
-  hypotheses.curvatures = curvatures;
+  hypotheses.curvatures.assign(curvatures.begin(), curvatures.end());
   hypotheses.triangles = triangles;
   hypotheses.is_crease.assign(points.size(), 1); // the paper knows of no creases
   PlaneClusteringSettings settings;

@@ -106,18 +106,27 @@ resizeRows(PCLPointCloud2& cloud, std::size_t rows)
   cloud.data.resize(rows * cloud.point_step);
 }
 
-PointView
-requirePoints(const CloudRows& rows, const Indices* indices)
+namespace {
+
+/** Three float32 fields side by side. \return the first one, or nullptr */
+const PCLPointField*
+findTriple(const PCLPointCloud2& cloud, const std::array<const char*, 3>& names)
 {
-  if (!rows)
-    PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
+  std::array<const PCLPointField*, 3> fields{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    fields[axis] = findField(cloud, names[axis], PCLPointField::FLOAT32);
+    if (!fields[axis] || fields[axis]->offset != fields[0]->offset + 4 * axis)
+      return nullptr;
+  }
+  return fields[0];
+}
+
+/** \throws InitFailedException if a field is outside of its point, or if there are fewer
+ * bytes than points */
+void
+requireBytes(const CloudRows& rows)
+{
   const PCLPointCloud2& cloud = rows.layout();
-  const PCLPointField* const x = findField(cloud, "x", PCLPointField::FLOAT32);
-  const PCLPointField* const y = findField(cloud, "y", PCLPointField::FLOAT32);
-  const PCLPointField* const z = findField(cloud, "z", PCLPointField::FLOAT32);
-  if (!x || !y || !z || y->offset != x->offset + 4 || z->offset != x->offset + 8)
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        "the cloud has no float32 fields x, y, z side by side");
   for (const PCLPointField& field : cloud.fields)
     if (std::size_t{field.offset} + getFieldSize(field.datatype) > cloud.point_step)
       PCL_THROW_EXCEPTION(InitFailedException,
@@ -126,6 +135,21 @@ requirePoints(const CloudRows& rows, const Indices* indices)
     PCL_THROW_EXCEPTION(InitFailedException,
                         "the cloud has fewer bytes than its " << rows.size()
                                                               << " points");
+}
+
+} // namespace
+
+PointView
+requirePoints(const CloudRows& rows, const Indices* indices)
+{
+  if (!rows)
+    PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
+  const PCLPointCloud2& cloud = rows.layout();
+  const PCLPointField* const x = findTriple(cloud, {"x", "y", "z"});
+  if (!x)
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        "the cloud has no float32 fields x, y, z side by side");
+  requireBytes(rows);
   if (!indices)
     return {rows.size() ? rows.data() + x->offset : nullptr,
             cloud.point_step,
@@ -137,6 +161,17 @@ requirePoints(const CloudRows& rows, const Indices* indices)
                           "index " << index << " is outside of the input cloud of "
                                    << rows.size() << " points");
   return {rows.data() + x->offset, cloud.point_step, indices->size(), indices->data()};
+}
+
+PointView
+normalsOf(const CloudRows& rows)
+{
+  const PCLPointField* const x =
+      rows ? findTriple(rows.layout(), normal_field_names) : nullptr;
+  if (!x)
+    return {};
+  requireBytes(rows);
+  return {rows.data() + x->offset, rows.layout().point_step, rows.size()};
 }
 
 SensorView

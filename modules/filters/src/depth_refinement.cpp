@@ -68,7 +68,7 @@ DepthRefinement<PCLPointCloud2>::DepthRefinement()
 
 void
 DepthRefinement<PCLPointCloud2>::setPlanes(const std::vector<PlanePatch>& patches,
-                                           const std::vector<std::int32_t>& labels)
+                                           const PointLabels& labels)
 {
   planes_ = acmap::depthPlanesOf(patches, labels);
 }

@@ -13,7 +13,8 @@
 #include <pcl/segmentation/recess_fitting.h>
 
 #include <algorithm>
-#include <cstring>
+#include <optional>
+#include <utility>
 
 namespace pcl {
 
@@ -40,55 +41,18 @@ rimTolerance(const CylinderClusteringReport& report)
   return std::min(maximum, vertices * report.spacing + sigmas * report.sigma);
 }
 
-/** Copies the value of a field if the cloud has that field. */
-class FieldCopy {
-public:
-  FieldCopy(const PCLPointCloud2& cloud, const PCLPointField* field)
-  : first_(field ? cloud.data.data() + field->offset : nullptr)
-  , stride_(cloud.point_step)
-  {}
-
-  template <typename Value>
-  void
-  copy(std::size_t row, Value& value) const
-  {
-    if (first_)
-      std::memcpy(&value, first_ + row * stride_, sizeof value);
-  }
-
-private:
-  const std::uint8_t* first_;
-  std::size_t stride_;
-};
-
+/** The points for a mesh construction of PCL; fields that they lack are zero. */
 VertexCloud::Ptr
-verticesOf(const PointCloudFile& file)
+verticesOf(const CloudRows& rows, const PointCloudFile& file)
 {
-  const PCLPointCloud2& cloud = file.cloud;
-  const auto copyOf = [&](const char* name, std::uint8_t type) {
-    return FieldCopy(cloud, findField(cloud, name, type));
-  };
-  const FieldCopy color(cloud, findColor(cloud)),
-      view = copyOf("view", PCLPointField::INT32),
-      normals[] = {copyOf("normal_x", PCLPointField::FLOAT32),
-                   copyOf("normal_y", PCLPointField::FLOAT32),
-                   copyOf("normal_z", PCLPointField::FLOAT32)};
-  const PointView points = file.points();
+  std::vector<FieldWish> wishes;
+  for (const PCLPointField& field : getFields<Vertex>())
+    if (field.name != "rgb" || !findColor(rows.layout()))
+      wishes.push_back({field.name, field.datatype});
   VertexCloud::Ptr vertices(new VertexCloud);
-  vertices->resize(points.size());
-  vertices->width = cloud.width;
-  vertices->height = cloud.height;
-  vertices->is_dense = cloud.is_dense != 0;
+  fromPCLPointCloud2(withFields(rows.copy(), wishes), *vertices);
   vertices->sensor_origin_.head<3>() = file.sensor_origin;
   vertices->sensor_orientation_ = file.sensor_orientation;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    Vertex& vertex = (*vertices)[i];
-    vertex.getVector3fMap() = points[i];
-    color.copy(i, vertex.rgba);
-    view.copy(i, vertex.view);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      normals[axis].copy(i, vertex.data_n[axis]);
-  }
   return vertices;
 }
 
@@ -122,15 +86,14 @@ public:
   MappedPlanes
   fromMesh(TriangleMesh mesh)
   {
-    MappedPlanes result;
-    takeRows(result.vertices);
+    MappedPlanes result = emptyResult();
+    result.vertices = rows_;
     result.mesh = std::move(mesh);
-    const VertexCloud::Ptr vertices = verticesOf(result.vertices);
-    vote(vertices, {}, result);
-    cluster(vertices, {}, {}, result);
-    result.labels = copyOf(result.vertex_labels);
-    findCylinders(vertices, {}, {}, result);
-    result.cylinder_labels = copyOf(result.vertex_cylinders);
+    vote({}, std::nullopt, result);
+    cluster({}, {}, result);
+    result.labels = result.vertex_labels;
+    findCylinders({}, {}, result);
+    result.cylinder_labels = result.vertex_cylinders;
     result.finite_points = report_.votes->vertices - report_.votes->invalid_points;
     return result;
   }
@@ -138,7 +101,7 @@ public:
   MappedPlanes
   inSpace(const std::vector<Eigen::Vector3f>& viewpoints)
   {
-    MappedPlanes result;
+    MappedPlanes result = emptyResult();
     const bool names_views = findField(rows_.layout(), "view", PCLPointField::INT32);
     const std::vector<Eigen::Vector3f> sensors =
         names_views ? viewpoints : std::vector<Eigen::Vector3f>{file_.sensor_origin};
@@ -146,20 +109,19 @@ public:
     const bool is_consolidated =
         consolidate(names_views, sensors, result, vertex_of_point);
     if (!is_consolidated)
-      takeRows(result.vertices);
-    const VertexCloud::Ptr vertices = verticesOf(result.vertices);
-    triangulate(vertices, result);
+      result.vertices = rows_;
+    triangulate(result);
     // the consolidation has already oriented its normals, and the mesh, towards the
     // sensors
     const bool turns = !is_consolidated && names_views;
-    vote(vertices, turns ? sensors : std::vector<Eigen::Vector3f>(), result);
+    vote(turns ? sensors : std::vector<Eigen::Vector3f>(), std::nullopt, result);
     const bool sensors_fit = !is_consolidated || report_.consolidation->sensors_fit;
     const std::vector<Eigen::Vector3f> known_sensors =
         sensors_fit ? sensors : std::vector<Eigen::Vector3f>();
-    cluster(vertices, rows_, known_sensors, result);
+    cluster(rows_, known_sensors, result);
     if (!mapping_.getClustering().getNoiseDriven())
       result.labels = labelsOf(result.vertex_labels, vertex_of_point, is_consolidated);
-    findCylinders(vertices, rows_, known_sensors, result);
+    findCylinders(rows_, known_sensors, result);
     result.finite_points =
         is_consolidated
             ? report_.consolidation->points - report_.consolidation->invalid_points
@@ -170,7 +132,7 @@ public:
   MappedPlanes
   inPicture(const Picture& picture)
   {
-    MappedPlanes result;
+    MappedPlanes result = emptyResult();
     PlaneMapping::DepthSegmentation segmentation = mapping_.getDepthSegmentation();
     segmentation.setInputCloud(picture.points);
     prepare(segmentation, 0, 0.4);
@@ -178,24 +140,19 @@ public:
     report_.depth_planes = segmentation.getReport();
     addRemarks(*report_.depth_planes);
     finish("planes");
-    const std::vector<std::int32_t>& labels = segmentation.getLabels();
-    result.labels =
-        copyOf(picture.order ? picture.order->labelsOfPoints(labels) : labels);
+    const PointLabels& labels = segmentation.getLabels();
+    result.labels = picture.order ? picture.order->labelsOfPoints(labels) : labels;
     result.finite_points =
         report_.depth_planes->points - report_.depth_planes->invalid_points;
-    result.vertices.remarks = file_.remarks;
     const bool needs_mesh = mapping_.getComputeCylinders() ||
                             (mapping_.getComputeMesh() && !result.planes.empty());
     if (!needs_mesh)
       return result;
     refine(picture.order, labels, result);
-    const VertexCloud::Ptr vertices = verticesOf(result.vertices);
-    triangulate(vertices, result);
-    for (Vertex& vertex : *vertices)
-      vertex.view = 0;
-    vote(vertices, {file_.sensor_origin}, result);
+    triangulate(result);
+    vote({}, file_.sensor_origin, result);
     result.vertex_labels = labels;
-    findCylinders(vertices, rows_, {file_.sensor_origin}, result);
+    findCylinders(rows_, {file_.sensor_origin}, result);
     return result;
   }
 
@@ -274,21 +231,18 @@ private:
       consolidation.setSensorOrigin(file_.sensor_origin);
     consolidation.setKeepSources(!mapping_.getClustering().getNoiseDriven());
     prepare(consolidation, 0, 0.3);
-    consolidation.filter(result.vertices.cloud);
+    consolidation.filter(result.vertices);
     report_.consolidation = consolidation.getReport();
     report_.consolidated_points = report_.consolidation->representatives;
     addRemarks(*report_.consolidation);
     vertex_of_point = consolidation.getVoxelOfPoint();
-    result.vertices.sensor_origin = file_.sensor_origin;
-    result.vertices.sensor_orientation = file_.sensor_orientation;
-    result.vertices.remarks = file_.remarks;
     finish("consolidate");
     return true;
   }
 
   void
   refine(const std::optional<PictureOrder>& order,
-         const std::vector<std::int32_t>& labels,
+         const PointLabels& labels,
          MappedPlanes& result)
   {
     PlaneMapping::Refinement refinement;
@@ -297,61 +251,73 @@ private:
         order ? std::make_shared<const PCLPointCloud2>(order->arrange(*cloud)) : cloud);
     refinement.setPlanes(result.planes, labels);
     prepare(refinement, 0.4, 0.5);
-    refinement.filter(result.vertices.cloud);
+    const PCLPointCloud2::Ptr refined(new PCLPointCloud2);
+    refinement.filter(*refined);
+    result.vertices = CloudRows(refined);
     report_.refinement = refinement.getReport();
-    result.vertices.sensor_origin = file_.sensor_origin;
-    result.vertices.sensor_orientation = file_.sensor_orientation;
     finish("refine");
   }
 
   void
-  triangulate(const VertexCloud::Ptr& vertices, MappedPlanes& result)
+  triangulate(MappedPlanes& result)
   {
-    using DeWall = DeWallTriangulation<Vertex>;
     const MeshConstruction<Vertex>::Ptr construction = mapping_.getMeshConstruction();
-    const auto given = std::dynamic_pointer_cast<DeWall>(construction);
+    const auto given =
+        std::dynamic_pointer_cast<DeWallTriangulation<Vertex>>(construction);
     const DeWallRule rule = given ? given->getAcceptanceRule() : DeWallRule::Paper;
     if (cost_)
       cost_("triangulating this cloud",
-            estimateDeWallMemory(vertices->size(), true, rule),
+            estimateDeWallMemory(result.vertices.size(), true, rule),
             0);
-    if (given) {
-      DeWall dewall = *given;
-      dewall.setInputCloud(vertices);
-      if (dewall.getMaximumEdgeLength() == 0 && report_.consolidation)
-        dewall.setMaximumEdgeLength(mesh_edge_in_voxels *
-                                    report_.consolidation->voxel_size);
-      prepare(dewall, 0.3, 0.6);
-      dewall.reconstruct(result.mesh);
-      report_.mesh = dewall.getReport();
-      result.spacing = report_.mesh->median_spacing;
-      addRemarks(*report_.mesh);
+    if (given && given->getSearchMethod()) {
+      DeWallTriangulation<Vertex> dewall = *given;
+      dewall.setInputCloud(verticesOf(result.vertices, file_));
+      runDeWall(dewall, result);
+    }
+    else if (given) {
+      DeWallTriangulation<PCLPointCloud2> dewall;
+      static_cast<DeWallParameters&>(dewall) = *given;
+      dewall.setInputCloud(result.vertices);
+      dewall.setSensorOrigin(file_.sensor_origin);
+      runDeWall(dewall, result);
     }
     else {
       std::vector<Vertices> polygons;
-      construction->setInputCloud(vertices);
+      construction->setInputCloud(verticesOf(result.vertices, file_));
       construction->reconstruct(polygons);
       result.mesh.triangles = trianglesOf(polygons);
     }
     finish("triangulate");
   }
 
+  template <typename DeWall>
   void
-  vote(const VertexCloud::Ptr& vertices,
-       std::vector<Eigen::Vector3f> viewpoints,
+  runDeWall(DeWall& dewall, MappedPlanes& result)
+  {
+    if (dewall.getMaximumEdgeLength() == 0 && report_.consolidation)
+      dewall.setMaximumEdgeLength(mesh_edge_in_voxels *
+                                  report_.consolidation->voxel_size);
+    prepare(dewall, 0.3, 0.6);
+    dewall.reconstruct(result.mesh);
+    report_.mesh = dewall.getReport();
+    result.spacing = report_.mesh->median_spacing;
+    addRemarks(*report_.mesh);
+  }
+
+  /** \param[in] origin of the one sensor that saw all vertices, if it is known */
+  void
+  vote(std::vector<Eigen::Vector3f> viewpoints,
+       const std::optional<Eigen::Vector3f>& origin,
        MappedPlanes& result)
   {
     PlaneMapping::Voting voting = mapping_.getVoting();
-    voting.setInputCloud(vertices);
+    voting.setInputCloud(result.vertices);
     voting.setTriangles(result.mesh);
     voting.setViewpoints(std::move(viewpoints));
+    if (origin)
+      voting.setSensorOrigin(*origin);
     prepare(voting, 0.6, 0.75);
-    const PointCloud<Normal>::Ptr normals(new PointCloud<Normal>);
-    const PointCloud<Label>::Ptr classes(new PointCloud<Label>);
-    voting.compute(*normals);
-    voting.getVertexClasses(*classes);
-    result.normals = normals;
-    result.vertex_classes = classes;
+    voting.compute(result.normals);
     report_.votes = voting.getReport();
     if (result.spacing == 0)
       result.spacing = report_.votes->mean_edge;
@@ -359,15 +325,13 @@ private:
   }
 
   void
-  cluster(const VertexCloud::Ptr& vertices,
-          const CloudRows& source,
+  cluster(const CloudRows& source,
           const std::vector<Eigen::Vector3f>& sensors,
           MappedPlanes& result)
   {
     PlaneMapping::Clustering clustering = mapping_.getClustering();
-    clustering.setInputCloud(vertices);
+    clustering.setInputCloud(result.vertices);
     clustering.setInputNormals(result.normals);
-    clustering.setVertexClasses(result.vertex_classes);
     clustering.setTriangles(result.mesh);
     const bool has_source = source && clustering.getNoiseDriven();
     if (has_source)
@@ -387,15 +351,14 @@ private:
   /** Replaces planes by cylinders, if these are requested.
    * \param[in] source the cloud of the input, or null */
   void
-  findCylinders(const VertexCloud::Ptr& vertices,
-                const CloudRows& source,
+  findCylinders(const CloudRows& source,
                 const std::vector<Eigen::Vector3f>& sensors,
                 MappedPlanes& result)
   {
     if (!mapping_.getComputeCylinders())
       return;
     PlaneMapping::CylinderClustering clustering = mapping_.getCylinderClustering();
-    clustering.setInputCloud(vertices);
+    clustering.setInputCloud(result.vertices);
     clustering.setInputNormals(result.normals);
     clustering.setTriangles(result.mesh);
     clustering.setPlanes(
@@ -417,29 +380,22 @@ private:
     finish("cylinders");
   }
 
-  /** Sets the vertices to the points of the input. */
-  void
-  takeRows(PointCloudFile& vertices) const
+  MappedPlanes
+  emptyResult() const
   {
-    vertices.cloud = rows_.copy();
-    vertices.sensor_origin = file_.sensor_origin;
-    vertices.sensor_orientation = file_.sensor_orientation;
-    vertices.remarks = file_.remarks;
+    MappedPlanes result;
+    result.sensor_origin = file_.sensor_origin;
+    result.sensor_orientation = file_.sensor_orientation;
+    return result;
   }
 
   static PointLabels
-  copyOf(const std::vector<std::int32_t>& labels)
-  {
-    return PointLabels(labels.begin(), labels.end());
-  }
-
-  static PointLabels
-  labelsOf(const std::vector<std::int32_t>& of_vertices,
+  labelsOf(const PointLabels& of_vertices,
            const Indices& vertex_of_point,
            bool is_consolidated)
   {
     if (!is_consolidated)
-      return copyOf(of_vertices);
+      return of_vertices;
     PointLabels labels;
     labels.reserve(vertex_of_point.size());
     for (const index_t vertex : vertex_of_point)

@@ -65,9 +65,7 @@ spreadOf(const PlanePatch& patch)
 }
 
 std::vector<PointIndices>
-clustersOf(const std::vector<std::int32_t>& labels,
-           std::size_t planes,
-           const PCLHeader& header)
+clustersOf(const PointLabels& labels, std::size_t planes, const PCLHeader& header)
 {
   std::vector<PointIndices> clusters(planes);
   for (PointIndices& indices : clusters)

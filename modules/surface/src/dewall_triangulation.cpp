@@ -56,21 +56,18 @@ namespace {
 class RowNormals {
 public:
   explicit RowNormals(const CloudRows& rows)
+  : view_(acmap::normalsOf(rows))
   {
+    if (view_.size() > 0)
+      return;
     const PCLPointCloud2& layout = rows.layout();
     std::array<std::size_t, 3> offsets{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const PCLPointField* const field = acmap::findField(
           layout, acmap::normal_field_names[axis], PCLPointField::FLOAT32);
-      if (!field || field->offset + sizeof(float) > layout.point_step)
+      if (!field)
         return;
       offsets[axis] = field->offset;
-    }
-    if (offsets[1] == offsets[0] + sizeof(float) &&
-        offsets[2] == offsets[1] + sizeof(float)) {
-      view_ =
-          acmap::PointView(rows.data() + offsets[0], layout.point_step, rows.size());
-      return;
     }
     copy_.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)

@@ -149,10 +149,10 @@ public:
     }
   }
 
-  std::vector<std::int32_t>
+  PointLabels
   choose() const
   {
-    std::vector<std::int32_t> labels(view_.size(), no_plane);
+    PointLabels labels(view_.size(), no_plane);
     for (std::size_t row = 0, pixel = 0; row < view_.height(); ++row)
       for (std::size_t column = 0; column < view_.width(); ++column, ++pixel) {
         const std::size_t tile = row / edge_ * columns_ + column / edge_;
@@ -221,11 +221,11 @@ private:
 
 /** Pixels get the label of at least six of their eight neighbours if there is one,
  * unless they are far from its plane. */
-std::vector<std::int32_t>
+PointLabels
 withoutSpecks(const DepthView& view,
               const std::vector<TileRegion>& regions,
               const PixelDeviation& deviation,
-              const std::vector<std::int32_t>& labels)
+              const PointLabels& labels)
 {
   const auto isNear = [&](std::size_t pixel, std::int32_t label) {
     if (label == no_plane)
@@ -237,7 +237,7 @@ withoutSpecks(const DepthView& view,
     return std::abs(plane.dot(ray) - static_cast<double>(view.inverseDepth(pixel))) <
            deviations * deviation.on(plane);
   };
-  std::vector<std::int32_t> result = labels;
+  PointLabels result = labels;
   const std::size_t width = view.width();
   for (std::size_t row = 1; row + 1 < view.height(); ++row)
     for (std::size_t column = 1; column + 1 < width; ++column) {
@@ -270,7 +270,7 @@ withoutSpecks(const DepthView& view,
 /** Assigns each pixel to a region.
  * \param[in] edge of a tile, pixels
  * \return for each pixel the index of its region, or no_plane */
-std::vector<std::int32_t>
+PointLabels
 labelPixels(const DepthView& view,
             const TileMoments& tiles,
             std::size_t edge,
@@ -293,7 +293,7 @@ struct PlaneSum {
 
 std::vector<PlaneSum>
 sumPixels(const DepthView& view,
-          const std::vector<std::int32_t>& labels,
+          const PointLabels& labels,
           const std::vector<DepthPlane>& planes)
 {
   std::vector<PlaneSum> sums(planes.size());
@@ -443,8 +443,7 @@ findDepthPlanes(const DepthView& view,
 }
 
 DepthPlanes
-depthPlanesOf(const std::vector<PlanePatch>& patches,
-              const std::vector<std::int32_t>& labels)
+depthPlanesOf(const std::vector<PlanePatch>& patches, const PointLabels& labels)
 {
   DepthPlanes known;
   for (const PlanePatch& patch : patches) {

@@ -128,10 +128,10 @@ PictureOrder::arrange(const PCLPointCloud2& cloud) const
   return arranged;
 }
 
-std::vector<std::int32_t>
-PictureOrder::labelsOfPoints(const std::vector<std::int32_t>& of_pixels) const
+PointLabels
+PictureOrder::labelsOfPoints(const PointLabels& of_pixels) const
 {
-  std::vector<std::int32_t> labels;
+  PointLabels labels;
   labels.reserve(pixels.size());
   for (const std::size_t pixel : pixels)
     labels.push_back(pixel == nowhere ? -1 : of_pixels[pixel]);

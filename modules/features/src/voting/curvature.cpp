@@ -91,7 +91,7 @@ private:
 
 CurvatureVoter::CurvatureVoter(const PointView& points,
                                const VertexRings& rings,
-                               const std::vector<VotedNormal>& normals,
+                               const LargeVector<VotedNormal>& normals,
                                double radius)
 : points_(points)
 , normals_(normals)

@@ -13,7 +13,7 @@ class CurvatureVoter {
 public:
   CurvatureVoter(const PointView& points,
                  const VertexRings& rings,
-                 const std::vector<VotedNormal>& normals,
+                 const LargeVector<VotedNormal>& normals,
                  double radius);
 
   VotedCurvature
@@ -21,7 +21,7 @@ public:
 
 private:
   const PointView& points_;
-  const std::vector<VotedNormal>& normals_;
+  const LargeVector<VotedNormal>& normals_;
   float radius_;
   GeodesicDisc disc_;
 };

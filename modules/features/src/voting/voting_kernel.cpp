@@ -55,7 +55,7 @@ pollAll(std::size_t vertices,
 void
 turnToSensors(const PointView& points,
               const SensorView& sensors,
-              std::vector<VotedNormal>& normals)
+              LargeVector<VotedNormal>& normals)
 {
   if (!sensors.isKnown())
     return;
@@ -68,7 +68,7 @@ turnToSensors(const PointView& points,
 
 void
 describe(const Electorate& electorate,
-         const std::vector<VotedNormal>& normals,
+         const LargeVector<VotedNormal>& normals,
          bool paper,
          VotingReport& report)
 {

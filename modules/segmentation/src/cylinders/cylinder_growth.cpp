@@ -314,7 +314,7 @@ private:
 /** Connected elements of one plane. */
 class PlanePiece {
 public:
-  PlanePiece(const std::vector<std::int32_t>& labels, std::int32_t plane)
+  PlanePiece(const PointLabels& labels, std::int32_t plane)
   : labels_(labels)
   , plane_(plane)
   {}
@@ -330,7 +330,7 @@ public:
   {}
 
 private:
-  const std::vector<std::int32_t>& labels_;
+  const PointLabels& labels_;
   std::int32_t plane_;
 };
 

@@ -17,8 +17,8 @@ struct CylinderLimits {
 /** The planes over the elements before cylinders are looked for. */
 struct KnownFaces {
   std::vector<Eigen::Vector4d>
-      planes;                       ///< unit normal and offset, frame of the elements
-  std::vector<std::int32_t> labels; ///< plane of each element, -1 for none
+      planes;         ///< unit normal and offset, frame of the elements
+  PointLabels labels; ///< plane of each element, -1 for none
 };
 
 /** A region of elements on one cylinder. */

@@ -189,7 +189,7 @@ refitToSource(const RawCloud& source,
 void
 append(CylinderPatch&& patch,
        const std::vector<std::int32_t>& members,
-       std::vector<std::int32_t>& labels,
+       PointLabels& labels,
        std::vector<CylinderPatch>& patches)
 {
   for (const std::int32_t member : members)
@@ -266,12 +266,8 @@ searchRaw(const PlaneHypotheses& hypotheses,
   RawCloud cloud =
       planes.labels.empty()
           ? findRawPlanes(points, sensors, settings.sigma, settings.threads, progress)
-          : rawCloudOf(points,
-                       sensors,
-                       planes.patches,
-                       PointLabels(planes.labels.begin(), planes.labels.end()),
-                       {},
-                       settings.sigma);
+          : rawCloudOf(
+                points, sensors, planes.patches, planes.labels, {}, settings.sigma);
   if (!(cloud.sigma > 0))
     cloud.sigma = local_noise; // everything is too curved for planes
   report.spacing = cloud.spacing;

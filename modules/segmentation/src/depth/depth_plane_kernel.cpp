@@ -48,7 +48,7 @@ public:
 
   /** For each plane the pixel edges that have its pixels on their left, sorted. */
   std::vector<Edges>
-  rims(const std::vector<std::int32_t>& labels, std::size_t planes) const
+  rims(const PointLabels& labels, std::size_t planes) const
   {
     std::vector<Edges> rims(planes);
     const bool is_mirrored = view_.focal().x() * view_.focal().y() < 0;
@@ -134,7 +134,7 @@ loopsOf(const Edges& edges,
  * \param[in] labels for each pixel its plane, -1 for none */
 void
 outlinePixels(const DepthView& view,
-              const std::vector<std::int32_t>& labels,
+              const PointLabels& labels,
               std::vector<KnownPlane>& planes)
 {
   const PixelCorners corners(view);

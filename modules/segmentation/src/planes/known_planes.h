@@ -32,8 +32,8 @@ struct KnownPlane {
 /** The hypotheses and the planes grown over them. */
 struct KnownPlanes {
   PointView points;
-  std::vector<std::int32_t> labels; ///< plane of each point; -1 for none
-  double spacing = 0;               ///< metres, between neighbours
+  PointLabels labels; ///< plane of each point; -1 for none
+  double spacing = 0; ///< metres, between neighbours
   std::vector<KnownPlane> planes;
 };
 

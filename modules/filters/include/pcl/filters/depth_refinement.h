@@ -57,8 +57,7 @@ public:
    * \throws BadArgumentException if a label is not the index of a patch, or the sensor
    * is on a plane */
   void
-  setPlanes(const std::vector<PlanePatch>& patches,
-            const std::vector<std::int32_t>& labels);
+  setPlanes(const std::vector<PlanePatch>& patches, const PointLabels& labels);
 
   /** \brief Refines the input cloud. If indices are set, the other pixels are treated
    * as not measured.
@@ -98,8 +97,7 @@ public:
 
   /** \brief See the class of point types. */
   void
-  setPlanes(const std::vector<PlanePatch>& patches,
-            const std::vector<std::int32_t>& labels);
+  setPlanes(const std::vector<PlanePatch>& patches, const PointLabels& labels);
 
   /** \brief Runs on the input cloud (its indices, where set).
    * \param[out] output may be the input

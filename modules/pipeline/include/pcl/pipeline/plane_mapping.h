@@ -54,9 +54,9 @@ public:
   using Vertex = PointXYZRGBNormalView;
   using Consolidation = VoxelConsolidation<PCLPointCloud2>;
   using Refinement = DepthRefinement<PCLPointCloud2>;
-  using Voting = NormalVectorVoting<Vertex>;
-  using Clustering = PlaneHypothesisClustering<Vertex>;
-  using CylinderClustering = CylinderHypothesisClustering<Vertex>;
+  using Voting = NormalVectorVoting<PCLPointCloud2>;
+  using Clustering = PlaneHypothesisClustering<PCLPointCloud2>;
+  using CylinderClustering = CylinderHypothesisClustering<PCLPointCloud2>;
   using DepthSegmentation = DepthPlaneSegmentation<PointXYZ>;
 
   PlaneMapping();

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <pcl/core/box_patch.h>
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/cylinder_patch.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/plane_patch.h>
-#include <pcl/core/point_cloud_file.h>
 #include <pcl/core/recess_patch.h>
 #include <pcl/core/report.h>
 #include <pcl/core/scratch_memory.h>
@@ -12,14 +12,14 @@
 #include <pcl/features/voting_types.h>
 #include <pcl/filters/consolidation_types.h>
 #include <pcl/filters/depth_refinement_types.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
 #include <pcl/segmentation/box_fitting_types.h>
 #include <pcl/segmentation/cylinder_clustering_types.h>
 #include <pcl/segmentation/depth_plane_types.h>
 #include <pcl/segmentation/plane_clustering_types.h>
 #include <pcl/segmentation/recess_fitting_types.h>
 #include <pcl/surface/dewall_types.h>
+
+#include <Eigen/Geometry>
 
 #include <cstddef>
 #include <cstdint>
@@ -50,20 +50,26 @@ struct MappedPlanes {
   std::size_t finite_points = 0;  ///< of the input; in a picture, those with depth
 
   /** \brief Vertices of the mesh with all fields of the input: the consolidated cloud,
-   * or the input itself. Empty, except for the remarks, if no mesh was made. */
-  PointCloudFile vertices;
+   * or the input itself. No cloud if no mesh was made. */
+  CloudRows vertices;
   TriangleMesh mesh;
   double spacing = 0; ///< between neighbouring vertices, metres; 0 without a mesh
-  std::vector<std::int32_t> vertex_labels;    ///< plane of each vertex, -1 for none
-  PointCloud<Normal>::ConstPtr normals;       ///< from normal voting, one per vertex
-  PointCloud<Label>::ConstPtr vertex_classes; ///< \ref VertexClass, one per vertex
+  PointLabels vertex_labels; ///< plane of each vertex, -1 for none
+
+  /** \brief From normal voting, one row per vertex: float32 fields normal_x, normal_y,
+   * normal_z, curvature, and uint8 vertex_class, which is a \ref VertexClass. */
+  CloudRows normals;
+
+  /** \brief Pose of the sensor of the input; metres, in the frame of the cloud. */
+  Eigen::Vector3f sensor_origin = Eigen::Vector3f::Zero();
+  Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
 
   /** \brief Columns, pipes and curved walls, in the order of decreasing area, if
    * \ref PlaneMapping::setComputeCylinders was called. The planes for which they stand
    * are not among the planes. */
   std::vector<CylinderPatch> cylinders;
-  PointLabels cylinder_labels;                ///< cylinder of each input point, or -1
-  std::vector<std::int32_t> vertex_cylinders; ///< the same for each vertex
+  PointLabels cylinder_labels;  ///< cylinder of each input point, or -1
+  PointLabels vertex_cylinders; ///< the same for each vertex
 
   /** \brief Furniture, crates and pillars, in the order of decreasing volume, if
    * \ref PlaneMapping::setComputeBoxes was called. Their sides are among the planes. */

@@ -2,6 +2,7 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/plane_patch.h>
+#include <pcl/core/scratch_memory.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
@@ -95,7 +96,7 @@ public:
 
   /** \brief For each point of the input cloud the number of its plane in the last
    * result, -1 for none. */
-  const std::vector<std::int32_t>&
+  const PointLabels&
   getLabels() const
   {
     return labels_;
@@ -108,7 +109,7 @@ protected:
 private:
   double min_area_ = 0;
   bool regularize_ = false;
-  std::vector<std::int32_t> labels_;
+  PointLabels labels_;
 };
 
 } // namespace pcl

@@ -4,6 +4,7 @@
 #include <pcl/PointIndices.h>
 #include <pcl/core/export.h>
 #include <pcl/core/plane_patch.h>
+#include <pcl/core/scratch_memory.h>
 #include <pcl/segmentation/planar_region.h>
 
 #include <algorithm>
@@ -32,9 +33,7 @@ spreadOf(const PlanePatch& patch);
 /** \brief Returns the point indices of each plane, given the plane of each point (-1
  * for none). */
 ACMAP_EXPORT std::vector<PointIndices>
-clustersOf(const std::vector<std::int32_t>& labels,
-           std::size_t planes,
-           const PCLHeader& header);
+clustersOf(const PointLabels& labels, std::size_t planes, const PCLHeader& header);
 
 /** \brief Returns the outer boundary of the largest polygon, or an empty one if there
  * is none. */

@@ -1,126 +1,27 @@
 #pragma once
 
-#include <pcl/Vertices.h>
 #include <pcl/core/build_config.h>
 #include <pcl/core/cloud_rows.h>
-#include <pcl/core/impl/arguments.h>
-#include <pcl/core/impl/point_fields.h>
+#include <pcl/core/export.h>
 #include <pcl/core/plane_patch.h>
 #include <pcl/core/stage_controls.h>
-#include <pcl/core/triangle_mesh.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
+#include <pcl/segmentation/clustering_inputs.h>
+#include <pcl/segmentation/impl/plane_clustering_kernel.h>
 #include <pcl/segmentation/plane_clustering_types.h>
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace pcl {
 
-/** \brief Finds all planes of a cloud with normals in one deterministic call.
- *
- * This is the clustering of "Active Stereo Based Compact Mapping" (II-C.2). Each point
- * is a hypothesis (p_i, n_i). Hypotheses are tried in the order of their curvature, if
- * the normals were set by \ref setInputNormals, otherwise in the order of the points.
- *
- * By default, planes are grown as the noise and the mesh allow: the mesh defines which
- * points are neighbours, the noise of the points defines how far they may be from the
- * plane, and the area decides which planes are accepted. Coplanar regions are merged,
- * however far apart they are; curved surfaces are recognised and counted. If the cloud
- * from which the points were consolidated is also given (\ref setSourceCloud), its
- * points verify the planes, narrow planes between larger ones (reveals of doors) are
- * found as well, and each plane is fitted to its points along the rays of their sensors.
- *
- * With \ref setNoiseDriven (false), the planes are those of the paper to the letter. A
- * hypothesis i is supported by each other hypothesis j whose point is within W_d of p_i
- * and within W_t of the plane, and whose normal is within W_n of n_i. The plane is
- * estimated again with every supporter, and accepted if there are more than W_h of them.
- * Nothing is merged, added or removed afterwards. Such planes are at most 2 W_d = 1.6 m
- * across, so that one wall comes as many planes, and with a W_t of 0.25 m doors are part
- * of their walls.
- *
- * Units are metres, in the frame of the cloud. Plane normals have the direction of the
- * normals of the points. The result is the same in every run and for any number of
- * threads. The time is O(n); with the paper's thresholds, O(n m) for m points within W_d.
- * \code
- * pcl::PlaneHypothesisClustering<pcl::PointNormal> clustering;
- * clustering.setInputCloud (consolidated);
- * clustering.setTriangles (mesh.polygons);
- * std::vector<pcl::PlanePatch> planes;
- * clustering.segment (planes);
- * \endcode
- * \ingroup segmentation
- */
-template <typename PointT>
-class PlaneHypothesisClustering : public PCLBase<PointT>,
-                                  public StageControls<PlaneClusteringReport> {
+/** \brief Settings and results of \ref PlaneHypothesisClustering, for clouds of points
+ * and of rows. \ingroup segmentation */
+class ACMAP_EXPORT PlaneClusteringParameters
+: public ClusteringInputs,
+  public StageControls<PlaneClusteringReport> {
 public:
-  using Ptr = shared_ptr<PlaneHypothesisClustering<PointT>>;
-  using ConstPtr = shared_ptr<const PlaneHypothesisClustering<PointT>>;
-  using PointCloudConstPtr = typename PCLBase<PointT>::PointCloudConstPtr;
-
-  /** \brief Sets the normals n_i, one per point of the cloud. If unset, those of PointT
-   * are used. */
-  void
-  setInputNormals(const PointCloud<Normal>::ConstPtr& normals)
-  {
-    normals_ = normals;
-  }
-
-  /** \brief Sets the classes that NormalVectorVoting assigned to the points: if
-   * noise-driven, no plane is seeded at a crease. */
-  void
-  setVertexClasses(const PointCloud<Label>::ConstPtr& classes)
-  {
-    classes_ = classes;
-  }
-
-  /** \brief Sets the mesh whose vertices the points are. The outlines of the planes are
-   * computed from it, and if noise-driven the neighbourhoods as well. */
-  void
-  setTriangles(const std::vector<Vertices>& polygons);
-
-  void
-  setTriangles(TriangleMesh mesh)
-  {
-    triangles_ = std::move(mesh.triangles);
-  }
-
-  /** \brief Sets the cloud from which the input was consolidated; used if noise-driven.
-   * \param[in] cloud it is kept until another one is set
-   * \param[in] viewpoints sensor positions of the observations to which the field
-   * `view` of the cloud refers, in metres; without that field, the sensor position of
-   * all points is sensor_origin_
-   * \throws BadArgumentException when a viewpoint is not finite */
-  template <typename SourceT>
-  void
-  setSourceCloud(const shared_ptr<const PointCloud<SourceT>>& cloud,
-                 const std::vector<Eigen::Vector3f>& viewpoints = {});
-
-  template <typename SourceT>
-  void
-  setSourceCloud(const shared_ptr<PointCloud<SourceT>>& cloud,
-                 const std::vector<Eigen::Vector3f>& viewpoints = {})
-  {
-    setSourceCloud(shared_ptr<const PointCloud<SourceT>>(cloud), viewpoints);
-  }
-
-  /** \brief The same for a cloud of any fields, as files have them.
-   * \param[in] viewpoints of a cloud without an int32 field `view`: the position of its
-   * sensor alone, or none where that is unknown
-   * \throws InitFailedException if it has no float32 fields x, y, z side by side */
-  void
-  setSourceCloud(const CloudRows& cloud,
-                 const std::vector<Eigen::Vector3f>& viewpoints = {});
-
-  /** \brief Estimates how long \ref segment will take with the paper's thresholds, which
-   * compare each hypothesis without a plane with all others within W_d.
-   * \return seconds on a processor of 2020, if every twentieth point is on no plane; 0
-   * without a cloud, if noise-driven, and if no point has a normal */
-  double
-  estimateSeconds() const;
-
   /** \brief Grows planes as noise and mesh allow (default true), or, if false, by the
    * paper's thresholds, to the letter. */
   void
@@ -209,6 +110,96 @@ public:
     return regularize_;
   }
 
+protected:
+  PlaneClusteringParameters() = default;
+
+  /** \brief Finds the planes of hypotheses.
+   * \param[in] chosen indices of these points, nullptr if they are all
+   * \param[in] points number of points of the cloud */
+  std::vector<PlanePatch>
+  cluster(acmap::PlaneHypotheses hypotheses,
+          const std::vector<std::int32_t>* chosen,
+          std::size_t points);
+
+  /** \brief See PlaneHypothesisClustering::estimateSeconds. */
+  double
+  secondsOf(const acmap::PointView& points, const acmap::PointView& normals) const;
+
+private:
+  bool noise_driven_ = true;
+  double member_distance_ = 0.8;
+  double normal_angle_ = 0.39269908169872414;
+  std::optional<double> plane_distance_;
+  std::size_t min_support_ = 50;
+  double min_area_ = 0;
+  bool regularize_ = false;
+};
+
+/** \brief Finds all planes of a cloud with normals in one deterministic call.
+ *
+ * This is the clustering of "Active Stereo Based Compact Mapping" (II-C.2). Each point
+ * is a hypothesis (p_i, n_i). Hypotheses are tried in the order of their curvature, if
+ * the normals were set by \ref setInputNormals, otherwise in the order of the points.
+ *
+ * By default, planes are grown as the noise and the mesh allow: the mesh defines which
+ * points are neighbours, the noise of the points defines how far they may be from the
+ * plane, and the area decides which planes are accepted. Coplanar regions are merged,
+ * however far apart they are; curved surfaces are recognised and counted. If the cloud
+ * from which the points were consolidated is also given (\ref ClusteringInputs::setSourceCloud), its
+ * points verify the planes, narrow planes between larger ones (reveals of doors) are
+ * found as well, and each plane is fitted to its points along the rays of their sensors.
+ *
+ * With \ref PlaneClusteringParameters::setNoiseDriven (false), the planes are those of the paper to the letter. A
+ * hypothesis i is supported by each other hypothesis j whose point is within W_d of p_i
+ * and within W_t of the plane, and whose normal is within W_n of n_i. The plane is
+ * estimated again with every supporter, and accepted if there are more than W_h of them.
+ * Nothing is merged, added or removed afterwards. Such planes are at most 2 W_d = 1.6 m
+ * across, so that one wall comes as many planes, and with a W_t of 0.25 m doors are part
+ * of their walls.
+ *
+ * Units are metres, in the frame of the cloud. Plane normals have the direction of the
+ * normals of the points. The result is the same in every run and for any number of
+ * threads. The time is O(n); with the paper's thresholds, O(n m) for m points within W_d.
+ * \code
+ * pcl::PlaneHypothesisClustering<pcl::PointNormal> clustering;
+ * clustering.setInputCloud (consolidated);
+ * clustering.setTriangles (mesh.polygons);
+ * std::vector<pcl::PlanePatch> planes;
+ * clustering.segment (planes);
+ * \endcode
+ * \ingroup segmentation
+ */
+template <typename PointT>
+class PlaneHypothesisClustering : public PCLBase<PointT>,
+                                  public PlaneClusteringParameters {
+public:
+  using Ptr = shared_ptr<PlaneHypothesisClustering<PointT>>;
+  using ConstPtr = shared_ptr<const PlaneHypothesisClustering<PointT>>;
+  using PointCloudConstPtr = typename PCLBase<PointT>::PointCloudConstPtr;
+
+  /** \brief Sets the normals n_i, one per point of the cloud. If unset, those of PointT
+   * are used. */
+  void
+  setInputNormals(const PointCloud<Normal>::ConstPtr& normals)
+  {
+    normals_ = normals;
+  }
+
+  /** \brief Sets the classes that NormalVectorVoting assigned to the points: if
+   * noise-driven, no plane is seeded at a crease. */
+  void
+  setVertexClasses(const PointCloud<Label>::ConstPtr& classes)
+  {
+    classes_ = classes;
+  }
+
+  /** \brief Estimates how long \ref segment will take with the paper's thresholds, which
+   * compare each hypothesis without a plane with all others within W_d.
+   * \return seconds on a processor of 2020, if every twentieth point is on no plane; 0
+   * without a cloud, if noise-driven, and if no point has a normal */
+  double
+  estimateSeconds() const;
+
   /** \brief Finds all planes of the input cloud, or of its indices if they are set.
    * \param[out] patches the planes in order of decreasing area (without a mesh the area
    * is 0, and the planes are in the order of the area of their regions); if empty, the
@@ -225,22 +216,6 @@ public:
   void
   extract(std::vector<PointIndices>& clusters);
 
-  /** \brief For each point of the input cloud the number of its plane in the last
-   * result, -1 for none. */
-  const std::vector<std::int32_t>&
-  getLabels() const
-  {
-    return labels_;
-  }
-
-  /** \brief For each point of the source cloud the number of its plane; empty without a
-   * source cloud. */
-  const PointLabels&
-  getSourceLabels() const
-  {
-    return source_labels_;
-  }
-
 protected:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
@@ -249,50 +224,55 @@ private:
   void
   requireInputs() const;
 
-  LargeVector<Eigen::Vector3f>
-  gatherNormals() const;
-
-  /** The sensors of the points, which have the observations of the source. */
-  acmap::SensorView
-  pointSensors(const std::int32_t* chosen) const;
+  acmap::PointView
+  normals() const;
 
   PointCloud<Normal>::ConstPtr normals_;
   PointCloud<Label>::ConstPtr classes_;
-  TriangleMesh::Triangles triangles_;
-  shared_ptr<const void> source_;
-  acmap::PointView source_points_;
-  acmap::SensorView source_sensors_;
-  std::vector<Eigen::Vector3f> viewpoints_; ///< of the source
-  bool noise_driven_ = true;
-  double member_distance_ = 0.8;
-  double normal_angle_ = 0.39269908169872414;
-  std::optional<double> plane_distance_;
-  std::size_t min_support_ = 50;
-  double min_area_ = 0;
-  bool regularize_ = false;
-  std::vector<std::int32_t> labels_;
-  PointLabels source_labels_;
 };
 
-template <typename PointT>
-template <typename SourceT>
-void
-PlaneHypothesisClustering<PointT>::setSourceCloud(
-    const shared_ptr<const PointCloud<SourceT>>& cloud,
-    const std::vector<Eigen::Vector3f>& viewpoints)
-{
-  acmap::requireViewpoints(viewpoints);
-  source_ = cloud;
-  const bool is_empty = !cloud || cloud->empty();
-  source_points_ =
-      is_empty ? acmap::PointView()
-               : acmap::PointView(&cloud->front().x, sizeof(SourceT), cloud->size());
-  source_sensors_ =
-      is_empty ? acmap::SensorView() : acmap::sensorsOf(*cloud, viewpoints);
-  viewpoints_ = is_empty ? std::vector<Eigen::Vector3f>() : viewpoints;
-  if (!is_empty && !acmap::has_view<SourceT>)
-    viewpoints_ = {cloud->sensor_origin_.template head<3>()};
-}
+/** \brief The same for clouds of any fields, as files have them, and for rows that are
+ * larger than the memory. \ingroup segmentation */
+template <>
+class ACMAP_EXPORT PlaneHypothesisClustering<PCLPointCloud2>
+: public PlaneClusteringParameters {
+public:
+  using Ptr = shared_ptr<PlaneHypothesisClustering<PCLPointCloud2>>;
+  using ConstPtr = shared_ptr<const PlaneHypothesisClustering<PCLPointCloud2>>;
+
+  /** \brief Sets the cloud, all of whose points are hypotheses. */
+  void
+  setInputCloud(const CloudRows& cloud)
+  {
+    rows_ = cloud;
+  }
+
+  /** \brief Sets the normals n_i, one row per point, as NormalVectorVoting returns them:
+   * float32 fields normal_x, normal_y, normal_z side by side; where there are a float32
+   * `curvature` and an uint8 `vertex_class`, they define the order of the hypotheses and
+   * where no plane is seeded. If unset, those of the cloud are used. */
+  void
+  setInputNormals(const CloudRows& normals)
+  {
+    normals_ = normals;
+  }
+
+  /** \brief See the class of point types. */
+  double
+  estimateSeconds() const;
+
+  /** \brief Finds all planes of the input cloud.
+   * \param[out] patches as those of the class of point types
+   * \throws InitFailedException without a cloud or normals, if these have no such fields
+   * or differ in number from the points, or with triangle corners outside of the cloud
+   * \throws CancelledException when the progress callback requested to stop */
+  void
+  segment(std::vector<PlanePatch>& patches);
+
+private:
+  CloudRows rows_;
+  CloudRows normals_;
+};
 
 } // namespace pcl
 

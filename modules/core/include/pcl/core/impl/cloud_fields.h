@@ -5,6 +5,7 @@
 #include <pcl/core/export.h>
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/impl/voxel_moments.h>
+#include <pcl/core/scratch_memory.h>
 #include <pcl/core/sensor_view.h>
 #include <pcl/types.h>
 
@@ -13,6 +14,7 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl::acmap {
@@ -53,6 +55,25 @@ layoutWith(const PCLPointCloud2& cloud, const std::vector<FieldWish>& wishes);
 ACMAP_EXPORT PCLPointCloud2
 withFields(PCLPointCloud2 cloud, const std::vector<FieldWish>& wishes);
 
+/** \brief Returns rows in that layout, in a file while a ScratchMemory exists.
+ * \param[in] write (row, number) sets the requested fields of a row, which has the
+ * values of \a cloud, and zeros in new fields */
+template <typename Write>
+CloudRows
+rowsWith(const CloudRows& cloud, const std::vector<FieldWish>& wishes, Write&& write)
+{
+  PCLPointCloud2 layout = layoutWith(cloud.layout(), wishes);
+  layout.width = cloud.layout().width;
+  layout.height = cloud.layout().height;
+  const std::size_t step = layout.point_step, from = cloud.layout().point_step;
+  LargeVector<std::uint8_t> rows(cloud.size() * step);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    std::memcpy(&rows[i * step], cloud.data() + i * from, from);
+    write(&rows[i * step], i);
+  }
+  return {std::move(layout), std::move(rows)};
+}
+
 /** \brief Removes the fields that a PCD cannot store: those whose name is not a word of
  * ASCII characters or is already used by an earlier field. */
 ACMAP_EXPORT void
@@ -68,6 +89,11 @@ resizeRows(PCLPointCloud2& cloud, std::size_t rows);
  * side by side or fewer bytes than it states, or if an index is outside of it */
 ACMAP_EXPORT PointView
 requirePoints(const CloudRows& cloud, const Indices* indices = nullptr);
+
+/** \brief View of the normals of a cloud, valid as long as the cloud is unchanged; empty if
+ * it has no float32 fields normal_x, normal_y, normal_z side by side. */
+ACMAP_EXPORT PointView
+normalsOf(const CloudRows& cloud);
 
 /** \brief Returns the sensor positions of the points of a cloud, valid as long as the
  * cloud is unchanged: the viewpoint given by their int32 field `view`, or, if there is

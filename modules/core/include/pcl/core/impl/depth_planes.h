@@ -43,8 +43,8 @@ struct DepthPlane {
 };
 
 struct DepthPlanes {
-  std::vector<DepthPlane> planes;   ///< in descending order of area
-  std::vector<std::int32_t> labels; ///< index of the plane of each pixel, -1 for none
+  std::vector<DepthPlane> planes; ///< in descending order of area
+  PointLabels labels;             ///< index of the plane of each pixel, -1 for none
   /** \brief Number of regions that were merged into another plane. */
   std::size_t merged = 0;
   /** \brief Number of regions that are too small or whose tilt is uncertain. */
@@ -76,7 +76,6 @@ findDepthPlanes(const DepthView& view,
  * \throws BadArgumentException if a label is not the index of a patch, or a plane
  * passes through the sensor */
 ACMAP_EXPORT DepthPlanes
-depthPlanesOf(const std::vector<PlanePatch>& patches,
-              const std::vector<std::int32_t>& labels);
+depthPlanesOf(const std::vector<PlanePatch>& patches, const PointLabels& labels);
 
 } // namespace pcl::acmap

@@ -5,6 +5,7 @@
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/pinhole.h>
+#include <pcl/core/scratch_memory.h>
 
 #include <Eigen/Core>
 
@@ -107,8 +108,8 @@ struct PictureOrder {
   arrange(const PCLPointCloud2& cloud) const;
 
   /** \brief Returns for each point the label of its pixel, -1 if it has none. */
-  ACMAP_EXPORT std::vector<std::int32_t>
-  labelsOfPoints(const std::vector<std::int32_t>& of_pixels) const;
+  ACMAP_EXPORT PointLabels
+  labelsOfPoints(const PointLabels& of_pixels) const;
 };
 
 /** \brief Restores the image order of the points of a view, for example of an organized

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/impl/point_view.h>
 #include <pcl/core/impl/voxel_moments.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/sensor_view.h>
@@ -7,6 +8,8 @@
 #include <pcl/type_traits.h>
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -25,6 +28,30 @@ inline constexpr bool has_curvature =
 /** \brief Has the point type a field `view` with the observation that saw it? */
 template <typename PointT>
 inline constexpr bool has_view = traits::has_field<PointT, fields::view>::value;
+
+/** \brief View of the coordinates of a cloud, valid as long as the cloud is unchanged.
+ * \param[in] chosen indices of points, nullptr for all */
+template <typename PointT>
+PointView
+pointsOf(const PointCloud<PointT>& cloud,
+         const std::vector<std::int32_t>* chosen = nullptr)
+{
+  return {cloud.empty() ? nullptr : &cloud.front().x,
+          sizeof(PointT),
+          chosen ? chosen->size() : cloud.size(),
+          chosen ? chosen->data() : nullptr};
+}
+
+/** \brief View of the normals of a cloud; empty if PointT has none. */
+template <typename PointT>
+PointView
+normalsOf(const PointCloud<PointT>& cloud)
+{
+  if constexpr (has_normal<PointT>)
+    if (!cloud.empty())
+      return {&cloud.front().normal_x, sizeof(PointT), cloud.size()};
+  return {};
+}
 
 /** \brief Returns the colours of a cloud; empty if PointT has none. */
 template <typename PointT>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <pcl/core/export.h>
-#include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/mesh_input.h>
 #include <pcl/core/impl/point_fields.h>
@@ -14,61 +13,6 @@ template <typename PointInT>
 NormalVectorVoting<PointInT>::NormalVectorVoting()
 {
   feature_name_ = "NormalVectorVoting";
-}
-
-template <typename PointInT>
-void
-NormalVectorVoting<PointInT>::setTriangles(const std::vector<Vertices>& polygons)
-{
-  triangles_ = acmap::trianglesOf(polygons);
-}
-
-template <typename PointInT>
-void
-NormalVectorVoting<PointInT>::setRadiusSearch(double radius)
-{
-  acmap::requireInRange("search radius", radius, 0.0, 1e9, "m (0 = automatic)");
-  search_radius_ = radius;
-}
-
-template <typename PointInT>
-void
-NormalVectorVoting<PointInT>::setCreaseWeight(double eps)
-{
-  acmap::requireInRange("crease weight", eps, 1e-6, 1e6, "");
-  crease_weight_ = eps;
-}
-
-template <typename PointInT>
-void
-NormalVectorVoting<PointInT>::setCornerWeight(double eta)
-{
-  acmap::requireInRange("corner weight", eta, 1e-6, 1e6, "");
-  corner_weight_ = eta;
-}
-
-template <typename PointInT>
-double
-NormalVectorVoting<PointInT>::getCreaseWeight() const
-{
-  return crease_weight_.value_or(paper_mode_ ? acmap::page_weight
-                                             : acmap::VotingSettings().crease_weight);
-}
-
-template <typename PointInT>
-double
-NormalVectorVoting<PointInT>::getCornerWeight() const
-{
-  return corner_weight_.value_or(paper_mode_ ? acmap::page_weight
-                                             : acmap::VotingSettings().corner_weight);
-}
-
-template <typename PointInT>
-void
-NormalVectorVoting<PointInT>::setViewpoints(std::vector<Eigen::Vector3f> viewpoints)
-{
-  acmap::requireViewpoints(viewpoints);
-  viewpoints_ = std::move(viewpoints);
 }
 
 template <typename PointInT>
@@ -93,23 +37,17 @@ template <typename PointInT>
 void
 NormalVectorVoting<PointInT>::computeFeature(PointCloudOut& output)
 {
-  acmap::VotingSettings settings;
+  acmap::VotingSettings settings = kernelSettings();
   settings.radius = search_radius_;
-  settings.paper = paper_mode_;
-  settings.crease_weight = getCreaseWeight();
-  settings.corner_weight = getCornerWeight();
   settings.compute_curvatures = compute_curvatures_;
-  settings.threads = threads_;
   VotingReport report;
-  const acmap::VotedNormals votes = acmap::voteNormals(
-      acmap::PointView(input_->empty() ? nullptr : &input_->front().x,
-                       sizeof(PointInT),
-                       input_->size()),
-      triangles_,
-      acmap::namedSensorsOf(*input_, viewpoints_),
-      settings,
-      acmap::Progress(progress_),
-      report);
+  const acmap::VotedNormals votes =
+      acmap::voteNormals(acmap::pointsOf(*input_),
+                         triangles_,
+                         acmap::namedSensorsOf(*input_, viewpoints_),
+                         settings,
+                         acmap::Progress(progress_),
+                         report);
 
   PointCloud<Label> classes;
   PointCloud<PrincipalCurvatures> curvatures;

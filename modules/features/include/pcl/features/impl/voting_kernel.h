@@ -3,6 +3,7 @@
 #include <pcl/core/export.h>
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/progress.h>
+#include <pcl/core/scratch_memory.h>
 #include <pcl/core/sensor_view.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/features/voting_types.h>
@@ -44,7 +45,7 @@ struct VotedNormal {
 };
 
 struct VotedNormals {
-  std::vector<VotedNormal> normals;       ///< one per vertex
+  LargeVector<VotedNormal> normals;       ///< one per vertex
   std::vector<VotedCurvature> curvatures; ///< one per vertex, if requested
 };
 

@@ -28,7 +28,7 @@ DepthRefinement<PointT>::setInputCloud(const PointCloudConstPtr& cloud)
 template <typename PointT>
 void
 DepthRefinement<PointT>::setPlanes(const std::vector<PlanePatch>& patches,
-                                   const std::vector<std::int32_t>& labels)
+                                   const PointLabels& labels)
 {
   planes_ = acmap::depthPlanesOf(patches, labels);
 }

@@ -22,14 +22,14 @@ struct CylinderClusteringSettings {
 
 /** \brief Planes that cylinders may replace. */
 struct GivenPlanes {
-  std::vector<PlanePatch> patches;
-  std::vector<std::int32_t> labels; ///< for each hypothesis; may be empty
+  const std::vector<PlanePatch>& patches;
+  const PointLabels& labels;        ///< for each hypothesis; may be empty
   const PointLabels& source_labels; ///< for each point of the source, or empty
 };
 
 struct CylinderClusters {
   std::vector<CylinderPatch> patches; ///< by decreasing area
-  std::vector<std::int32_t> labels;   ///< for each hypothesis its patch, -1 for none
+  PointLabels labels;                 ///< for each hypothesis its patch, -1 for none
   PointLabels source_labels;          ///< the same for each point of the source
 };
 

@@ -8,8 +8,8 @@
 #include <pcl/core/sensor_view.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/segmentation/plane_clustering_types.h>
+#include <pcl/types.h>
 
-#include <cmath>
 #include <vector>
 
 namespace pcl::acmap {
@@ -33,19 +33,38 @@ inline constexpr double paper_plane_distance = 0.25;
 struct PlaneHypotheses {
   PointView points;
   LargeVector<Eigen::Vector3f> normals; ///< unit; NaN where there is none
-  std::vector<std::uint8_t> is_crease;  ///< no seed if noise-driven; may be empty
-  std::vector<float> curvatures;     ///< seed order: ascending, NaN last; may be empty
+  LargeVector<std::uint8_t> is_crease;  ///< no seed if noise-driven; may be empty
+  LargeVector<float> curvatures;     ///< seed order: ascending, NaN last; may be empty
   TriangleMesh::Triangles triangles; ///< may be empty
   SensorView sensors; ///< of the points; unknown: nothing was looked through
 };
 
+/** \brief The indices in ascending order, without duplicates. \ingroup segmentation */
+ACMAP_EXPORT std::vector<std::int32_t>
+chosenOf(const Indices& indices);
+
 /** \brief Keeps only the chosen hypotheses and the triangles between them.
  * \param[in] chosen ascending, without duplicates
- * \param[in,out] hypotheses in: for a whole array of points; out: for the view of this
- * array through \a chosen. The caller has to set this view as their points.
+ * \param[in] points number of points of the whole array
+ * \param[in,out] hypotheses in: for a whole array of points, except for \c points and
+ * \c sensors, which are those of the view through \a chosen; out: for this view
  * \ingroup segmentation */
 ACMAP_EXPORT void
-keepChosen(const std::vector<std::int32_t>& chosen, PlaneHypotheses& hypotheses);
+keepChosen(const std::vector<std::int32_t>& chosen,
+           std::size_t points,
+           PlaneHypotheses& hypotheses);
+
+/** \brief Is a \ref VertexClass, as a number, a crease or a corner? */
+constexpr bool
+isCrease(std::uint32_t vertex_class)
+{
+  return vertex_class >= 2;
+}
+
+/** \brief Normals of unit length; NaN where they have no direction.
+ * \ingroup segmentation */
+ACMAP_EXPORT LargeVector<Eigen::Vector3f>
+unitNormals(const PointView& normals);
 
 /** \brief The cloud from which the hypotheses were consolidated; may be empty. */
 struct PlaneSource {
@@ -54,17 +73,10 @@ struct PlaneSource {
 };
 
 struct PlaneClusters {
-  std::vector<PlanePatch> patches;  ///< by decreasing area; 0 without a mesh
-  std::vector<std::int32_t> labels; ///< for each hypothesis its patch, -1 for none
-  PointLabels source_labels;        ///< the same for each point of the source
+  std::vector<PlanePatch> patches; ///< by decreasing area; 0 without a mesh
+  PointLabels labels;              ///< for each hypothesis its patch, -1 for none
+  PointLabels source_labels;       ///< the same for each point of the source
 };
-
-/** \brief Is a normal of unit length, but for rounding? */
-inline bool
-isUnit(const Eigen::Vector3f& normal)
-{
-  return std::abs(normal.squaredNorm() - 1) < 1e-5F;
-}
 
 /** \brief Estimates how long the paper's growth of planes takes: each hypothesis that is
  * on no plane is compared with all others within W_d.

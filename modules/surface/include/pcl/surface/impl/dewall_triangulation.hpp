@@ -30,10 +30,7 @@ DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
                               sizeof(PointInT),
                               indices_->size(),
                               indices_->data());
-  if constexpr (acmap::has_normal<PointInT>)
-    if (!input_->empty())
-      settings.normals =
-          acmap::PointView(&input_->front().normal_x, sizeof(PointInT), input_->size());
+  settings.normals = acmap::normalsOf(*input_);
   settings.neighbours = givenSearch();
   settings.is_single_view =
       input_->isOrganized() && indices_->size() == input_->size() &&

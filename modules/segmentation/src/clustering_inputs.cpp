@@ -1,0 +1,60 @@
+#include <pcl/core/impl/mesh_input.h>
+#include <pcl/exceptions.h>
+#include <pcl/segmentation/clustering_inputs.h>
+
+namespace pcl {
+
+void
+ClusteringInputs::setTriangles(const std::vector<Vertices>& polygons)
+{
+  triangles_ = acmap::trianglesOf(polygons);
+}
+
+void
+ClusteringInputs::setSourceCloud(const CloudRows& cloud,
+                                 const std::vector<Eigen::Vector3f>& viewpoints)
+{
+  acmap::requireViewpoints(viewpoints);
+  source_ = std::make_shared<const CloudRows>(cloud);
+  source_points_ = cloud ? acmap::requirePoints(cloud) : acmap::PointView();
+  source_sensors_ = cloud && !viewpoints.empty()
+                        ? acmap::sensorsOf(cloud, viewpoints, viewpoints.front())
+                        : acmap::SensorView();
+  viewpoints_ = cloud ? viewpoints : std::vector<Eigen::Vector3f>();
+}
+
+acmap::SensorView
+ClusteringInputs::pointSensors(const CloudRows& points) const
+{
+  if (viewpoints_.size() == 1)
+    return acmap::SensorView(viewpoints_.front());
+  return viewpoints_.empty() ? acmap::SensorView()
+                             : acmap::sensorsOf(points, viewpoints_, std::nullopt);
+}
+
+void
+ClusteringInputs::requireAsMany(const char* what,
+                                std::size_t number,
+                                std::size_t points)
+{
+  if (number != points)
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        "there are " << number << " " << what << " for " << points
+                                     << " points");
+}
+
+void
+ClusteringInputs::setLabels(PointLabels of_hypotheses,
+                            const std::vector<std::int32_t>* chosen,
+                            std::size_t points)
+{
+  if (!chosen) {
+    labels_ = std::move(of_hypotheses);
+    return;
+  }
+  labels_.assign(points, -1);
+  for (std::size_t i = 0; i < chosen->size(); ++i)
+    labels_[static_cast<std::size_t>((*chosen)[i])] = of_hypotheses[i];
+}
+
+} // namespace pcl
