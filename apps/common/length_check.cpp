@@ -3,6 +3,7 @@
 #include "exit_code.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace pcl::acmap {
@@ -11,6 +12,10 @@ namespace {
 /** Scans of rooms and streets are denser than this, and smaller. */
 constexpr double suspicious_spacing = 0.5;
 constexpr double suspicious_extent = 1000.0;
+
+/** Points that would be closer to each other than this, in a square as large as their
+ * extent, are those of a large building: scans in millimetres have fewer. */
+constexpr double dense_spacing = 0.15;
 
 /** No building has this extent, not even in millimetres. */
 constexpr double absurd_extent = 1000.0 * suspicious_extent;
@@ -68,10 +73,21 @@ farRemark(const PointView& points, const CloudExtent& extent)
          std::to_string(points.index(farthest)) + ")";
 }
 
-std::string
-millimetreRemark(double median_spacing, double extent, double scale)
+/** \param[in] median_spacing 0 if it is unknown */
+bool
+isSuspicious(double median_spacing, const CloudExtent& extent)
 {
-  if (median_spacing <= suspicious_spacing && extent <= suspicious_extent)
+  const double diagonal = extent.diagonal();
+  return median_spacing > suspicious_spacing ||
+         (diagonal > suspicious_extent &&
+          diagonal > dense_spacing * std::sqrt(extent.finite_points));
+}
+
+std::string
+millimetreRemark(double median_spacing, const CloudExtent& of_points, double scale)
+{
+  const double extent = of_points.diagonal();
+  if (!isSuspicious(median_spacing, of_points))
     return {};
   if (extent > absurd_extent)
     return "these cannot be metres: the points spread over " + shortNumber(extent) +
@@ -85,12 +101,12 @@ millimetreRemark(double median_spacing, double extent, double scale)
 }
 
 std::string
-coarsenessRemark(const CloudExtent& extent)
+coarsenessRemark(double median_spacing, const CloudExtent& extent)
 {
   const double farthest = std::max(extent.minimum.cwiseAbs().maxCoeff(),
                                    extent.maximum.cwiseAbs().maxCoeff());
   const double step = farthest * double{std::numeric_limits<float>::epsilon()};
-  if (step <= coarse_step || extent.diagonal() > suspicious_extent)
+  if (step <= coarse_step || isSuspicious(median_spacing, extent))
     return {};
   return "lies " + shortNumber(farthest) +
          " m from the origin, where coordinates are kept in steps of about " +
@@ -123,8 +139,8 @@ lengthRemarks(const PointView& points, double median_spacing, double scale)
   std::vector<std::string> remarks;
   if (extent.diagonal() > 0)
     remarks.push_back(farRemark(points, extent));
-  remarks.push_back(coarsenessRemark(extent));
-  remarks.push_back(millimetreRemark(median_spacing, extent.diagonal(), scale));
+  remarks.push_back(coarsenessRemark(median_spacing, extent));
+  remarks.push_back(millimetreRemark(median_spacing, extent, scale));
   remarks.erase(std::remove(remarks.begin(), remarks.end(), ""), remarks.end());
   return remarks;
 }

@@ -3,8 +3,8 @@
 
 usage: repeat_cloud.py IN.pcd OUT.pcd COLUMNS ROWS STEP_X STEP_Z
 
-The copies stand side by side along x and z, STEP_X and STEP_Z metres apart; of their fields, x, y and z
-are written. Points beside each other differ by what floats resolve at their place, and the memory
+The copies stand side by side along x and z, STEP_X and STEP_Z metres apart; of their fields, x, y, z
+and, if it follows them, rgb are written. Points beside each other differ by what floats resolve at their place, and the memory
 needed is that of one copy.
 """
 
@@ -27,7 +27,8 @@ def points_of(file):
     if values["DATA"] != ["binary"]:
         sys.exit("the PCD has to be binary")
     rows = numpy.fromfile(file, dtype=numpy.float32)
-    return rows.reshape(-1, len(values["FIELDS"]))[:, :3].copy()
+    kept = 4 if values["FIELDS"][3:4] == ["rgb"] else 3
+    return rows.reshape(-1, len(values["FIELDS"]))[:, :kept].copy()
 
 
 def main():
@@ -40,11 +41,12 @@ def main():
         cloud = points_of(file)
     points = len(cloud) * columns * rows
     with open(target, "wb") as file:
+        fields = ["x", "y", "z", "rgb"][: cloud.shape[1]]
         file.write(f"""VERSION 0.7
-FIELDS x y z
-SIZE 4 4 4
-TYPE F F F
-COUNT 1 1 1
+FIELDS {" ".join(fields)}
+SIZE {" ".join("4" for _ in fields)}
+TYPE {" ".join("F" for _ in fields)}
+COUNT {" ".join("1" for _ in fields)}
 WIDTH {points}
 HEIGHT 1
 VIEWPOINT 0 0 0 1 0 0 0

@@ -1,9 +1,12 @@
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/progress.h>
 #include <pcl/core/report.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -22,6 +25,65 @@ TEST(Progress, tellsItsCallback)
   EXPECT_THAT(told,
               testing::ElementsAre(testing::Pair(0.25, "wall"),
                                    testing::Pair(1.0, "last pass")));
+}
+
+/** Runs a long loop in several threads after a step was told.
+ * \return what was told, each in the thread that called this */
+std::vector<std::string>
+toldInLongLoop(std::size_t allowed, unsigned threads)
+{
+  std::vector<std::string> told;
+  const std::thread::id caller = std::this_thread::get_id();
+  const Progress progress([&](double fraction, const std::string& step) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    EXPECT_EQ(fraction, 0.25);
+    told.push_back(step);
+    return told.size() < allowed;
+  });
+  withThreads(threads, [&] {
+    progress.tell(0.25, "sums");
+    constexpr std::size_t chunks = 100000; // hours
+    EXPECT_THROW(parallelForChunks(chunks * parallel_chunk,
+                                   [](std::size_t, std::size_t) {
+                                     std::this_thread::sleep_for(
+                                         std::chrono::milliseconds(20));
+                                   }),
+                 CancelledException);
+  });
+  return told;
+}
+
+TEST(Progress, isToldAgainInALongLoopWhichItCanStop)
+{
+  for (const unsigned threads : {1U, 4U})
+    EXPECT_THAT(toldInLongLoop(3, threads),
+                testing::ElementsAre("sums", "sums", "sums"));
+}
+
+TEST(Progress, isNotToldAgainAfterItsEnd)
+{
+  int calls = 0;
+  {
+    const Progress progress([&](double, const std::string&) { return ++calls > 0; });
+    progress.tell(0.5, "sums");
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  pollRun();
+  EXPECT_EQ(calls, 1);
+}
+
+TEST(Progress, mayRunALongLoopItself)
+{
+  int calls = 0;
+  const Progress progress([&](double, const std::string&) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    pollRun();
+    return ++calls > 0;
+  });
+  progress.tell(0.5, "sums");
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  pollRun();
+  EXPECT_EQ(calls, 2);
 }
 
 TEST(Progress, isSilentWithoutCallback)

@@ -400,7 +400,7 @@ TEST(IntensityGreys, TheFirstViewDecidesTheScale)
   const std::vector<std::uint16_t> next = {990, 495, 5000};
   const auto second = greys.packed(
       {next.data(), sizeof(std::uint16_t), PCLPointField::UINT16}, next.size());
-  EXPECT_EQ(second, (std::vector<std::uint32_t>{0xe6e6e6, 0x737373, 0xffffff}));
+  EXPECT_EQ(second, (LargeVector<std::uint32_t>{0xe6e6e6, 0x737373, 0xffffff}));
 }
 
 } // namespace

@@ -283,9 +283,9 @@ TEST(PlaneTexturingUgly, TexelsAreEnlargedWhereThereWouldBeTooMany)
   for (const TextureChart& chart : painted(texturing).charts)
     texels += static_cast<double>(chart.colors.width) * chart.colors.height;
   const double bytes = texturing.estimateMemory() / texels;
-  constexpr double most = 1 << 28;
+  constexpr double most = 3 << 24;
   const double smallest = 0.1 * std::sqrt(texels / most);
-  texturing.setTexelSize(smallest / 1.8);
+  texturing.setTexelSize(smallest / 3.6);
   EXPECT_LT(texturing.estimateMemory(), bytes * most);
   EXPECT_GT(texturing.estimateMemory(), 0.9 * bytes * most);
 }

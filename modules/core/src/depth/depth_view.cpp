@@ -1,5 +1,5 @@
 #include <pcl/core/impl/depth_view.h>
-#include <pcl/core/impl/large_memory.h>
+#include <pcl/core/progress.h>
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,7 @@ measureDepthStep(const PointView& points)
   const std::size_t stride = points.size() / wanted + 1;
   std::vector<double> depths;
   for (std::size_t i = 0; i < points.size(); i += stride) {
-    keepScratchSmall(); // each of these points may bring in pages around it
+    pollRun(); // each of these points may bring in pages around it
     if (isMeasured(points[i]))
       depths.push_back(static_cast<double>(points[i].z()));
   }

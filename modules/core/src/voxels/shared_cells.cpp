@@ -21,13 +21,13 @@ writeSorted(const CellTable& table,
   order.reserve(table.cells.size());
   for (std::size_t c = 0; c < table.cells.size(); ++c) {
     if (c % parallel_chunk == 0)
-      keepScratchSmall();
+      pollRun();
     order.emplace_back(table.cells[c].key, c);
   }
   std::sort(order.begin(), order.end());
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i % parallel_chunk == 0)
-      keepScratchSmall();
+      pollRun();
     const std::size_t cell = order[i].second;
     first[i] = toVoxelCell(table.cells[cell], edge);
     if (!table.colors.empty())

@@ -47,7 +47,7 @@ medianPoint(const PointView& points)
   const std::size_t step = points.size() / enough + 1;
   std::array<std::vector<float>, 3> values;
   for (std::size_t i = 0; i < points.size(); i += step) {
-    keepScratchSmall();
+    pollRun();
     if (points[i].allFinite())
       for (int axis = 0; axis < 3; ++axis)
         values[axis].push_back(points[i][axis]);

@@ -68,7 +68,7 @@ public:
   sum(std::size_t stretch, CellTable& near, LeftOut& left_out) const
   {
     Batch batch;
-    keepScratchSmall();
+    pollRun();
     const std::size_t begin = stretch * points_of_near_cells;
     const std::size_t end = std::min(begin + points_of_near_cells, size_);
     for (std::size_t first = begin; first < end; first += Batch::capacity) {
@@ -172,7 +172,7 @@ limitsOf(const PointView& points, const VoxelLattice& lattice)
   VoxelHit hit;
   for (std::size_t i = 0; i < points.size();
        i += points.size() / (parts * points_of_part) + 1) {
-    keepScratchSmall();
+    pollRun();
     if (lattice.locate(points[i], hit))
       keys.push_back(voxelKey(hit.place));
   }

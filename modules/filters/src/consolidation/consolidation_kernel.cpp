@@ -89,7 +89,7 @@ private:
       is_done_[step.to] = true;
       component.push_back(step.to);
       if (component.size() % parallel_chunk == 0)
-        keepScratchSmall();
+        pollRun();
       if (step.to != step.from && agreement(all_[step.from], all_[step.to]) < 0) {
         all_[step.to].normal *= -1;
         ++flipped;

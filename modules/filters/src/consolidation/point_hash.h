@@ -77,7 +77,7 @@ private:
   keepSmall(std::size_t i)
   {
     if (i % parallel_chunk == 0)
-      keepScratchSmall();
+      pollRun();
   }
 
   /** The cells of a block have slots side by side: what is near is near in memory. */

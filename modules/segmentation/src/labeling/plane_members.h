@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/core/impl/large_memory.h>
+#include <pcl/core/progress.h>
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -34,7 +34,7 @@ public:
     {
       constexpr std::uintptr_t bytes = 4096; // of members: 1024 of them
       if (reinterpret_cast<std::uintptr_t>(++member_) % bytes == 0)
-        keepScratchSmall();
+        pollRun();
       return *this;
     }
 

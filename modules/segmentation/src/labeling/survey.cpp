@@ -54,7 +54,7 @@ Survey::thinned(std::size_t maximum, const CandidateGrid& grid) const
     for (std::size_t i = p * part; i < end; ++i)
       if (isChosen(i))
         chosen[p].push_back(static_cast<std::uint32_t>(i));
-    keepScratchSmall();
+    pollRun();
   });
   Survey few(points_, sensors_);
   for (const std::vector<std::uint32_t>& places : chosen)

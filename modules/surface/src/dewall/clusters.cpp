@@ -38,7 +38,7 @@ private:
   memberOfLargest()
   {
     LargeVector<std::int32_t> members(static_cast<std::size_t>(tree_.size()));
-    ScratchPace pace;
+    PollPace pace;
     for (std::int32_t i = 0; i < tree_.size(); ++i) {
       pace();
       ++members[static_cast<std::size_t>(sets_.find(i))];
@@ -164,7 +164,7 @@ LargeVector<std::int32_t>
 clusterSizes(DisjointSets& clusters, std::int32_t points)
 {
   LargeVector<std::int32_t> sizes(static_cast<std::size_t>(points));
-  ScratchPace pace;
+  PollPace pace;
   for (std::int32_t i = 0; i < points; ++i) {
     pace();
     ++sizes[static_cast<std::size_t>(clusters.find(i))];

@@ -30,7 +30,7 @@ public:
   {
     const std::size_t count = count_.fetch_add(1, std::memory_order_relaxed);
     if (count % 8 == 0) // an edge of the last passes brings in pages from everywhere
-      keepScratchSmall();
+      pollRun();
     if (count % 512 == 0 && std::this_thread::get_id() == caller_)
       progress_.tell(0.05 + 0.9 * std::min(1.0, static_cast<double>(count) / expected_),
                      "triangulation");

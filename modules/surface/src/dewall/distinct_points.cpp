@@ -1,6 +1,6 @@
 #include "mesh_steps.h"
 
-#include <pcl/core/impl/large_memory.h>
+#include <pcl/core/progress.h>
 
 #include <cstring>
 
@@ -66,7 +66,7 @@ template <typename Function>
 void
 forEachFinite(const PointView& view, const Function& function)
 {
-  ScratchPace pace;
+  PollPace pace;
   for (std::size_t i = 0; i < view.size(); ++i) {
     pace();
     const Eigen::Vector3f p = view[i];
@@ -109,7 +109,7 @@ distinctPoints(const PointView& view, DeWallReport& report)
     const SourcePoint* const end = points.data() + ends[group];
     kept = seen.keepFirst(begin, end, kept);
     begin = end;
-    keepScratchSmall();
+    pollRun();
   }
   const auto different = static_cast<std::size_t>(kept - points.data());
   report.duplicate_points = points.size() - different;

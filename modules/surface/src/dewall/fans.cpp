@@ -155,7 +155,7 @@ private:
   {
     std::vector<std::vector<Incidence>> of_list(lists_.size());
     oneapi::tbb::parallel_for(std::size_t{0}, lists_.size(), [&](std::size_t l) {
-      ScratchPace pace;
+      PollPace pace;
       for (GrownTriangle& triangle : *lists_[l]) {
         pace();
         for (const std::int32_t corner : triangle.corners)

@@ -1,6 +1,6 @@
 #include "front.h"
 
-#include "scratch_pace.h"
+#include "poll_pace.h"
 #include "third_point.h"
 
 #include <map>
@@ -30,7 +30,7 @@ Front::advance(const Range& range)
 void
 Front::advancePostponed(const Range& range)
 {
-  ScratchPace pace;
+  PollPace pace;
   // Most of them have been resolved by a neighbour in the meantime.
   while (!postponed_.empty() || !bridges_.empty()) {
     while (!postponed_.empty()) {
@@ -54,7 +54,7 @@ Front::advancePostponed(const Range& range)
 void
 Front::advanceContrary(const Range& range)
 {
-  ScratchPace pace;
+  PollPace pace;
   while (!contrary_.empty()) {
     for (const Side& side : std::exchange(contrary_, {})) {
       pace();

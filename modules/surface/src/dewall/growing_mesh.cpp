@@ -1,7 +1,7 @@
 #include "growing_mesh.h"
 
+#include "poll_pace.h"
 #include "predicates.h"
-#include "scratch_pace.h"
 
 #include <pcl/core/impl/parallel.h>
 
@@ -164,7 +164,7 @@ void
 GrowingMesh::reassignSeams(const GrownTriangles& triangles)
 {
   constexpr std::uint8_t both = VertexFlag::mixed | VertexFlag::lost;
-  ScratchPace pace;
+  PollPace pace;
   for (const GrownTriangle& triangle : triangles) {
     pace();
     std::array<bool, 3> is_doubtful;
@@ -190,7 +190,7 @@ GrowingMesh::sweep(const std::vector<GrownTriangles*>& lists)
 {
   oneapi::tbb::parallel_for(std::size_t{0}, lists.size(), [&](std::size_t l) {
     GrownTriangles& list = *lists[l];
-    ScratchPace pace;
+    PollPace pace;
     list.erase(std::remove_if(list.begin(),
                               list.end(),
                               [&](const GrownTriangle& t) {

@@ -45,7 +45,7 @@ renumberArrays(MeshArrays& arrays,
                std::size_t index)
 {
   const std::int32_t end = arrays.tree.endOf(part.node);
-  ScratchPace pace;
+  PollPace pace;
   for (std::int32_t i = arrays.tree.firstOf(part.node); i < end; ++i) {
     pace();
     Vertex& v = arrays.vertex(i);
@@ -62,7 +62,7 @@ renumber(MeshArrays& arrays, std::vector<Part>& parts, const Numbering& numberin
 {
   oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
     Part& part = parts[p];
-    ScratchPace pace;
+    PollPace pace;
     for (GrownTriangle& triangle : part.triangles) {
       pace();
       triangle.component = numbering.inWhole(p, triangle.component);
@@ -98,7 +98,7 @@ std::vector<Seam>
 findSeams(MeshArrays& arrays, GrownTriangles& triangles)
 {
   std::vector<Seam> seams;
-  ScratchPace pace;
+  PollPace pace;
   for (GrownTriangle& triangle : triangles) {
     pace();
     for (const Side& side : sidesOf(triangle)) {

@@ -21,7 +21,7 @@ growAcrossPlanes(GrowingMesh& mesh,
   const PointTree& tree = mesh.arrays().tree;
   const Range all = wholeOf(tree);
   Front front(tree, size, rule, mesh, tick);
-  ScratchPace pace;
+  PollPace pace;
   for (const Part& part : parts)
     for (const Side& side : part.deferred) {
       pace();
@@ -38,7 +38,7 @@ void
 addSidesOfWalls(GrowingMesh& mesh, const std::vector<Part>& parts, Unfinished& begun)
 {
   const std::size_t walls = parts.size() / 2; // they come before the leaves
-  ScratchPace pace;
+  PollPace pace;
   for (std::size_t p = 0; p < walls; ++p)
     for (const GrownTriangle& triangle : parts[p].triangles) {
       pace();
@@ -87,7 +87,7 @@ finishMesh(GrowingMesh& mesh,
       arrays.set(corner, VertexFlag::of_wall);
 
   Unfinished begun = affectedBy(removed, size, mesh);
-  ScratchPace pace;
+  PollPace pace;
   for (const Part& part : parts) {
     append(begun, part.unfinished);
     for (const Refusal& refusal : part.unfinished.refusals) {

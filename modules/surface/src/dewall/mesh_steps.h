@@ -3,8 +3,8 @@
 #include "disjoint_sets.h"
 #include "growing_mesh.h"
 #include "point_tree.h"
+#include "poll_pace.h"
 #include "range.h"
-#include "scratch_pace.h"
 #include "size_constraint.h"
 #include "triangle_builder.h"
 

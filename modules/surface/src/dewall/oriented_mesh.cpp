@@ -19,7 +19,7 @@ public:
   , shown_(static_cast<std::size_t>(tree_.size()))
   {
     const Facing& facing = grown.arrays().facing;
-    ScratchPace pace;
+    PollPace pace;
     for (const TriangleList& list : lists)
       for (const GrownTriangle& triangle : *list.triangles) {
         pace();
@@ -61,7 +61,7 @@ void
 countVertices(const MeshArrays& arrays, DeWallReport& report)
 {
   std::size_t open_ends = 0;
-  ScratchPace pace;
+  PollPace pace;
   for (const Vertex& v : arrays.vertices) {
     pace();
     report.used_points += v.triangles > 0;
@@ -74,7 +74,7 @@ DisjointSets
 findComponents(const PointTree& tree, const std::vector<TriangleList>& lists)
 {
   DisjointSets components(tree.size());
-  ScratchPace pace;
+  PollPace pace;
   for (const TriangleList& list : lists)
     for (const GrownTriangle& triangle : *list.triangles) {
       pace();
@@ -101,7 +101,7 @@ orientedMesh(GrowingMesh& grown,
   report.edges = (3 * report.triangles + report.boundary_edges) / 2;
   TriangleMesh mesh;
   mesh.triangles.reserve(report.triangles);
-  ScratchPace pace;
+  PollPace pace;
   for (const TriangleList& list : lists) {
     for (const GrownTriangle& triangle : *list.triangles) {
       pace();

@@ -146,7 +146,7 @@ struct PointTree::Builder {
                  static_cast<std::size_t>(node.index)] = {
         middle->position[axis], static_cast<std::uint8_t>(axis)};
     if (end - begin >= min_task) {
-      keepScratchSmall();
+      pollRun();
       oneapi::tbb::parallel_invoke([&] { divide(node.left()); },
                                    [&] { divide(node.right()); });
     }

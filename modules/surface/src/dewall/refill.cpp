@@ -1,7 +1,7 @@
 #include "refill.h"
 
 #include "ball_visit.h"
-#include "scratch_pace.h"
+#include "poll_pace.h"
 #include "third_point.h"
 
 namespace pcl::acmap::ACMAP_DEWALL {
@@ -18,7 +18,7 @@ Unfinished
 Refill::run(Unfinished begun)
 {
   // Edges that are not open now will be tried when they are opened.
-  ScratchPace pace;
+  PollPace pace;
   for (const Side& side : begun.sides) {
     pace();
     if (mesh_.oppositeOf(side) >= 0)
@@ -58,7 +58,7 @@ Refill::reconsider()
   std::size_t before = 0;
   do {
     before = mesh_.triangles().size();
-    ScratchPace pace;
+    PollPace pace;
     for (const Refusal& refusal : std::exchange(left_.refusals, {})) {
       pace();
       Edge* base = mesh_.findOpen(refusal.side);
@@ -220,7 +220,7 @@ affectedBy(const std::vector<GrownTriangle>& removed,
     near.insert(near.end(), triangle.corners.begin(), triangle.corners.end());
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
-  ScratchPace pace;
+  PollPace pace;
   for (const std::int32_t corner : std::vector<std::int32_t>(near)) {
     pace();
     if (!arrays.isUsed(corner)) {

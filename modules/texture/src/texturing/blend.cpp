@@ -143,7 +143,7 @@ average(const Canvas& canvas, TexturePicture& picture)
 }
 
 void
-fillHoles(int distance, const std::vector<TexelPlace>& mask, TexturePicture& picture)
+fillHoles(int distance, const LargeVector<TexelPlace>& mask, TexturePicture& picture)
 {
   const auto texelAt = [&](std::int32_t column, std::int32_t row) {
     return static_cast<std::size_t>(row) *

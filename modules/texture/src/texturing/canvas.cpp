@@ -16,6 +16,10 @@ using Grids = std::vector<std::optional<ChartGrid>>;
 
 constexpr double max_texels = 1 << 28; ///< of a map
 
+/** Of what is painted: three quarters of the largest pages (AtlasLimits), for which charts
+ * with more texels would be halved. */
+constexpr double max_painted = 3 << 24;
+
 /** Grids of all polygons, plane by plane. */
 Grids
 gridsOf(const std::vector<PlanePatch>& planes, double texel_size)
@@ -93,7 +97,7 @@ addLoop(const TextureChart& chart,
 }
 
 void
-addRim(std::size_t width, std::size_t height, std::vector<TexelPlace>& mask)
+addRim(std::size_t width, std::size_t height, LargeVector<TexelPlace>& mask)
 {
   for (std::size_t row = 0; row < height; ++row)
     for (std::size_t column = 0; column < width; ++column) {
@@ -115,26 +119,23 @@ legalTexelSize(const std::vector<PlanePatch>& planes,
                const std::vector<CylinderPatch>& cylinders,
                double texel_size)
 {
-  constexpr double max_enlargement = 2;
+  constexpr double max_enlargement = 4;
   for (double size = texel_size; size <= max_enlargement * texel_size;) {
     const double texels = texelsOf(gridsOf(planes, size), cylinders, size);
-    if (texels <= max_texels)
+    if (texels <= max_painted)
       return size;
     // the rest is for rows and columns that are cut
-    size *= 1.001 * std::sqrt(texels / max_texels);
+    size *= 1.001 * std::sqrt(texels / max_painted);
   }
   return texel_size;
 }
 
 double
-canvasBytes(const std::vector<PlanePatch>& planes,
-            const std::vector<CylinderPatch>& cylinders,
-            double texel_size,
-            std::size_t bytes_per_texel)
+canvasTexels(const std::vector<PlanePatch>& planes,
+             const std::vector<CylinderPatch>& cylinders,
+             double texel_size)
 {
-  constexpr std::size_t finished = 4; // bytes of colour and kind
-  return texelsOf(gridsOf(planes, texel_size), cylinders, texel_size) *
-         static_cast<double>(sizeof(TexelPlace) + bytes_per_texel + finished);
+  return texelsOf(gridsOf(planes, texel_size), cylinders, texel_size);
 }
 
 std::vector<Canvas>
@@ -174,7 +175,7 @@ canvasesOf(const std::vector<PlanePatch>& planes,
   return canvases;
 }
 
-std::vector<TexelPlace>
+LargeVector<TexelPlace>
 maskOf(const TextureChart& chart, const PlanePolygon& polygon)
 {
   const auto width = static_cast<std::size_t>(chart.colors.width);
@@ -183,7 +184,7 @@ maskOf(const TextureChart& chart, const PlanePolygon& polygon)
   addLoop(chart, polygon.outer, crossings);
   for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
     addLoop(chart, hole, crossings);
-  std::vector<TexelPlace> mask(width * height, TexelPlace::Outside);
+  LargeVector<TexelPlace> mask(width * height, TexelPlace::Outside);
   for (std::size_t row = 0; row < height; ++row) {
     std::vector<double>& cuts = crossings[row];
     std::sort(cuts.begin(), cuts.end());

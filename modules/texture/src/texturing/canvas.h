@@ -19,7 +19,7 @@ enum class TexelPlace : std::uint8_t {
 };
 
 /** One value per texel, in row-major order from the top. */
-std::vector<TexelPlace>
+LargeVector<TexelPlace>
 maskOf(const TextureChart& chart, const PlanePolygon& polygon);
 
 /** Sample of a texel in one view. */
@@ -70,7 +70,7 @@ struct Canvas {
       0; ///< of its plane, or the number of planes plus that of the cylinder
   TextureChart chart; ///< without colours yet; of a cylinder only the size is set
   CanvasSurface surface;
-  std::vector<TexelPlace> mask;
+  LargeVector<TexelPlace> mask;
   LargeVector<Samples> samples;    ///< of each texel, best first; not in paper mode
   LargeVector<PointColors> points; ///< in each texel; in paper mode only
   std::vector<std::int32_t> views; ///< in which these points are, ascending
@@ -111,8 +111,8 @@ struct Canvas {
   }
 };
 
-/** The edge of a texel in metres, one to two times \p texel_size, of which these surfaces
- * have at most 2^28, as many as a map may have; \p texel_size if there is none. */
+/** The edge of a texel in metres, one to four times \p texel_size, of which these surfaces
+ * have at most as many as the pages of a map hold; \p texel_size if there is none. */
 double
 legalTexelSize(const std::vector<PlanePatch>& planes,
                const std::vector<CylinderPatch>& cylinders,
@@ -131,12 +131,10 @@ canvasesOf(const std::vector<PlanePatch>& planes,
            int maximum,
            std::size_t& left_out);
 
-/** Memory in bytes of the canvases and their charts.
- * \param[in] bytes_per_texel of samples or points */
+/** Number of texels of the canvases. */
 double
-canvasBytes(const std::vector<PlanePatch>& planes,
-            const std::vector<CylinderPatch>& cylinders,
-            double texel_size,
-            std::size_t bytes_per_texel);
+canvasTexels(const std::vector<PlanePatch>& planes,
+             const std::vector<CylinderPatch>& cylinders,
+             double texel_size);
 
 } // namespace pcl::acmap::texturing

@@ -13,7 +13,7 @@ namespace pcl::acmap::texturing {
  * closest plane or cylinder that faces the sensor and whose polygon contains the
  * projection of the point (the last step of the paper).
  * \param[in] outermost texels in which the projection may be */
-std::vector<std::int32_t>
+PointLabels
 nearestCanvases(const ColoredView& view,
                 const std::vector<Canvas>& canvases,
                 double maximum_distance,
@@ -30,7 +30,7 @@ void
 paintPinhole(const ColoredView& view,
              const Pinhole& camera,
              std::int32_t number,
-             const std::vector<std::int32_t>& nearest,
+             const PointLabels& nearest,
              std::vector<Canvas>& canvases);
 
 /** Colours each texel with the mean of the points that fall into it; for clouds whose
@@ -38,7 +38,7 @@ paintPinhole(const ColoredView& view,
 void
 splat(const ColoredView& view,
       std::int32_t number,
-      const std::vector<std::int32_t>& nearest,
+      const PointLabels& nearest,
       std::vector<Canvas>& canvases);
 
 /** Adds the colours of the points to the texels in which they are, and nothing else; for
@@ -46,7 +46,7 @@ splat(const ColoredView& view,
 void
 addPoints(const ColoredView& view,
           std::int32_t number,
-          const std::vector<std::int32_t>& nearest,
+          const PointLabels& nearest,
           std::vector<Canvas>& canvases);
 
 /** Exposure gains, one per view, for which the views agree on the texels that they
@@ -76,6 +76,6 @@ average(const Canvas& canvas, TexturePicture& picture);
  * of the observed texels: at most \a distance texels, and the rim of the polygon one
  * texel further. */
 void
-fillHoles(int distance, const std::vector<TexelPlace>& mask, TexturePicture& picture);
+fillHoles(int distance, const LargeVector<TexelPlace>& mask, TexturePicture& picture);
 
 } // namespace pcl::acmap::texturing

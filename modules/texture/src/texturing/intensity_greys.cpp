@@ -50,7 +50,7 @@ valueOf(const IntensityView& intensities, std::size_t i)
 } // namespace
 
 IntensityGreys::Scale
-IntensityGreys::scaleOf(std::vector<double> values)
+IntensityGreys::scaleOf(LargeVector<double> values)
 {
   constexpr double bright_level = 230;
   values.erase(std::remove_if(values.begin(),
@@ -69,15 +69,17 @@ IntensityGreys::scaleOf(std::vector<double> values)
   return {black, bright > black ? bright_level / (bright - black) : 0};
 }
 
-std::vector<std::uint32_t>
+LargeVector<std::uint32_t>
 IntensityGreys::packed(const IntensityView& intensities, std::size_t count)
 {
-  std::vector<double> values;
+  LargeVector<double> values;
+  values.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
     values.push_back(valueOf(intensities, i));
   if (!scale_)
     scale_ = scaleOf(values);
-  std::vector<std::uint32_t> greys;
+  LargeVector<std::uint32_t> greys;
+  greys.reserve(count);
   for (const double value : values) {
     const double level =
         std::isfinite(value) ? scale_->factor * (value - scale_->black) : 0.0;

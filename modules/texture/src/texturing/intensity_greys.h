@@ -1,9 +1,9 @@
 #pragma once
 
+#include <pcl/core/scratch_memory.h>
 #include <pcl/texture/impl/texturing_kernel.h>
 
 #include <optional>
-#include <vector>
 
 namespace pcl::acmap::texturing {
 
@@ -14,7 +14,7 @@ class IntensityGreys {
 public:
   /** \param[in] count number of points
    * \return packed colours; values that are not finite are black */
-  std::vector<std::uint32_t>
+  LargeVector<std::uint32_t>
   packed(const IntensityView& intensities, std::size_t count);
 
 private:
@@ -23,7 +23,7 @@ private:
   };
 
   static Scale
-  scaleOf(std::vector<double> values);
+  scaleOf(LargeVector<double> values);
 
   std::optional<Scale> scale_;
 };

@@ -140,13 +140,14 @@ texturingMemory(const std::vector<PlanePatch>& planes,
                 const std::vector<CylinderPatch>& cylinders,
                 const TexturingSettings& settings)
 {
-  const std::size_t in_work =
-      settings.paper ? sizeof(PointColors) : sizeof(Canvas::Samples);
+  constexpr std::size_t finished = 4; // bytes of colour and kind
   const bool is_in_files = ScratchMemory::getResidentInEffect() > 0;
-  return canvasBytes(planes,
-                     cylinders,
-                     legalTexelSize(planes, cylinders, settings.texel_size),
-                     is_in_files ? 0 : in_work);
+  const std::size_t of_work =
+      settings.paper ? sizeof(PointColors) : sizeof(Canvas::Samples);
+  const std::size_t in_work = is_in_files ? 0 : of_work + sizeof(TexelPlace);
+  const double texels = canvasTexels(
+      planes, cylinders, legalTexelSize(planes, cylinders, settings.texel_size));
+  return texels * static_cast<double>(in_work + finished);
 }
 
 TextureBuilder::~TextureBuilder() = default;
@@ -165,7 +166,7 @@ TextureBuilder::add(const ColoredView& given)
   for (std::size_t i = 0; i < view.points.size(); ++i)
     finite += view.points[i].allFinite() ? 1 : 0;
   state.counts.invalid_points += view.points.size() - finite;
-  std::vector<std::uint32_t> greys;
+  LargeVector<std::uint32_t> greys;
   if (!view.colors && view.intensities) {
     greys = state.greys.packed(view.intensities, view.points.size());
     view.colors = {greys.data(), sizeof(std::uint32_t)};
@@ -175,7 +176,7 @@ TextureBuilder::add(const ColoredView& given)
     return;
   }
   withThreads(state.settings.threads, [&] {
-    const std::vector<std::int32_t> nearest =
+    const PointLabels nearest =
         nearestCanvases(view,
                         state.canvases,
                         state.settings.maximum_distance,
@@ -317,10 +318,11 @@ void
 remark(std::size_t left_out, double texel_size, TexturingReport& report)
 {
   if (report.texel_size > texel_size) {
-    char text[96];
+    char text[128];
     std::snprintf(text,
                   sizeof text,
-                  "more than 2^28 texels of %.3g mm would be needed: they have %.3g mm",
+                  "texels of %.3g mm would be more than the pages of a map hold: they "
+                  "have %.3g mm",
                   1000 * texel_size,
                   1000 * report.texel_size);
     report.remarks.emplace_back(text);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -294,16 +295,19 @@ private:
 };
 
 /** Indices of the points of one canvas, in ascending order. */
-using Points = std::vector<std::size_t>;
-
+/** \param[in] first, last of the numbers of the points */
 void
 splatOnto(const ColoredView& view,
           std::int32_t number,
-          const Points& points,
+          const std::uint32_t* first,
+          const std::uint32_t* last,
           Canvas& canvas)
 {
-  std::vector<PointColors> sums(canvas.mask.size());
-  for (const std::size_t i : points) {
+  LargeVector<PointColors> sums(canvas.mask.size());
+  for (; first != last; ++first) {
+    const std::uint32_t i = *first;
+    if (i % parallel_chunk == 0)
+      pollRun();
     const Eigen::Vector2d place =
         canvas.surface.placeOf(view.T_map_camera * view.points[i].cast<double>());
     const std::size_t texel = canvas.texelAt(place);
@@ -321,7 +325,7 @@ void
 paintPinhole(const ColoredView& view,
              const Pinhole& camera,
              std::int32_t number,
-             const std::vector<std::int32_t>& nearest,
+             const PointLabels& nearest,
              std::vector<Canvas>& canvases)
 {
   // surfaces, not canvases, as a texel at the border of a tile has neighbours on another
@@ -352,22 +356,32 @@ paintPinhole(const ColoredView& view,
 void
 splat(const ColoredView& view,
       std::int32_t number,
-      const std::vector<std::int32_t>& nearest,
+      const PointLabels& nearest,
       std::vector<Canvas>& canvases)
 {
-  std::vector<Points> points(canvases.size());
-  for (std::size_t i = 0; i < nearest.size(); ++i)
+  std::vector<std::size_t> ends(canvases.size() + 1, 0); // of the points of each canvas
+  for (const std::int32_t canvas : nearest)
+    if (canvas >= 0)
+      ++ends[static_cast<std::size_t>(canvas) + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  LargeVector<std::uint32_t> points(ends.back());
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    if (i % parallel_chunk == 0)
+      pollRun();
     if (nearest[i] >= 0)
-      points[static_cast<std::size_t>(nearest[i])].push_back(i);
-  for (std::size_t c = 0; c < canvases.size(); ++c)
-    if (!points[c].empty())
-      splatOnto(view, number, points[c], canvases[c]);
+      points[ends[static_cast<std::size_t>(nearest[i])]++] =
+          static_cast<std::uint32_t>(i);
+  }
+  for (std::size_t c = 0, begin = 0; c < canvases.size(); begin = ends[c++])
+    if (begin < ends[c])
+      splatOnto(
+          view, number, points.data() + begin, points.data() + ends[c], canvases[c]);
 }
 
 void
 addPoints(const ColoredView& view,
           std::int32_t number,
-          const std::vector<std::int32_t>& nearest,
+          const PointLabels& nearest,
           std::vector<Canvas>& canvases)
 {
   for (std::size_t i = 0; i < nearest.size(); ++i) {

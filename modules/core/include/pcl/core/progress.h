@@ -1,9 +1,11 @@
 #pragma once
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/export.h>
 
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace pcl {
 
@@ -18,23 +20,33 @@ namespace acmap {
 
 /** \brief Calls a callback, if there is one, and throws an exception if it returns
  * false. */
-class Progress {
+class ACMAP_EXPORT Progress {
 public:
   explicit Progress(ProgressCallback callback = {})
   : callback_(std::move(callback))
   {}
 
+  ~Progress();
+
+  Progress(const Progress&) = delete;
+
+  Progress&
+  operator=(const Progress&) = delete;
+
   /** \throws CancelledException when the callback returned false */
   void
-  tell(double fraction, const std::string& step) const
-  {
-    if (callback_ && !callback_(fraction, step))
-      throw CancelledException("cancelled during " + step);
-  }
+  tell(double fraction, const std::string& step) const;
 
 private:
   ProgressCallback callback_;
 };
+
+/** \brief To be called now and then in long loops: keeps arrays in files within their
+ * ScratchMemory, and ten times a second tells the callback of the Progress that this thread
+ * told last the same again, so that it can stop the run.
+ * \throws CancelledException when the callback returned false */
+ACMAP_EXPORT void
+pollRun();
 
 } // namespace acmap
 } // namespace pcl

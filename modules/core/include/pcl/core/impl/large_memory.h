@@ -48,9 +48,9 @@ allocateFromSystem(std::size_t bytes);
 ACMAP_EXPORT void
 returnToSystem(void* memory, std::size_t bytes);
 
-/** \brief To be called now and then in a pass over arrays that may be in files: takes their
- * pages out of memory if they are more than the ScratchMemory allows. Its own thread may
- * have to wait for a processor. */
+/** \brief Takes pages of arrays in files out of memory if they are more than the
+ * ScratchMemory allows; its own thread may have to wait for a processor. Loops call
+ * pollRun. */
 ACMAP_EXPORT void
 keepScratchSmall();
 

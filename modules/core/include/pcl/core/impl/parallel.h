@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pcl/core/impl/arena_lease.h>
-#include <pcl/core/impl/large_memory.h>
+#include <pcl/core/progress.h>
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -32,7 +32,8 @@ withThreads(unsigned threads, Function&& function)
   return (*arena).execute(std::forward<Function>(function));
 }
 
-/** \brief Calls body (begin, end) for each chunk of [0, size), in any order. */
+/** \brief Calls body (begin, end) for each chunk of [0, size), in any order.
+ * \throws CancelledException as \ref pollRun */
 template <typename Body>
 void
 parallelForChunks(std::size_t size, const Body& body)
@@ -41,7 +42,7 @@ parallelForChunks(std::size_t size, const Body& body)
   oneapi::tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
     const std::size_t begin = chunk * parallel_chunk;
     body(begin, std::min(begin + parallel_chunk, size));
-    keepScratchSmall();
+    pollRun();
   });
 }
 

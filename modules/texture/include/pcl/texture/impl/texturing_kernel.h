@@ -69,8 +69,8 @@ texturingMemory(const std::vector<PlanePatch>& planes,
 class ACMAP_EXPORT TextureBuilder {
 public:
   /** \param[in] planes in the map's frame; those without polygons get no chart
-   * \throws BadArgumentException when all charts together have more than 2^28 texels of
-   * twice the size */
+   * \throws BadArgumentException when all charts together have more than 50 million texels
+   * of four times the size */
   TextureBuilder(const std::vector<PlanePatch>& planes,
                  const std::vector<CylinderPatch>& cylinders,
                  const TexturingSettings& settings);

@@ -2,21 +2,21 @@
 
 #include "variant.h"
 
-#include <pcl/core/impl/large_memory.h>
+#include <pcl/core/progress.h>
 
 #include <cstddef>
 
 namespace pcl::acmap::ACMAP_DEWALL {
 
-/** \brief Is called for each element of a loop over large arrays: from time to time, pages
- * that the loop brought into memory leave it. */
-class ScratchPace {
+/** \brief Is called for each element of a loop over large arrays, and polls the run from time
+ * to time. */
+class PollPace {
 public:
   void
   operator()()
   {
     if (visited_++ % 64 == 0)
-      keepScratchSmall();
+      pollRun();
   }
 
 private:
