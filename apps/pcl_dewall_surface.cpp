@@ -227,6 +227,8 @@ meshCloud(const Options& options, const RunControls& controls, StageLog& log)
 {
   StepTimer timer(log.report);
   const std::unique_ptr<pcl::ScratchMemory> scratch = scratchFor(options);
+  const Progress progress(controls.progress);
+  progress.tell(0, "reading");
   Input input;
   input.rows = loadCloudRows(options.input, controls.scale, input.file);
   timer.finish("read");

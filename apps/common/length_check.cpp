@@ -2,9 +2,14 @@
 
 #include "exit_code.h"
 
+#include <pcl/core/progress.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <vector>
 
 namespace pcl::acmap {
 namespace {
@@ -34,9 +39,9 @@ constexpr double far_extents = 100.0;
 constexpr double extents_beyond = 2.0;
 constexpr double coarse_extents = 0.1;
 
-/** \brief The 10 % and 90 % quantiles; reorders the values. */
+/** The 10 % and 90 % quantiles; reorders the values. */
 std::pair<double, double>
-quantiles(LargeVector<float>& values)
+quantiles(std::vector<float>& values)
 {
   const std::size_t tenth = values.size() / 10;
   const auto low = values.begin() + static_cast<std::ptrdiff_t>(tenth);
@@ -118,17 +123,21 @@ coarsenessRemark(double median_spacing, const CloudExtent& extent)
 CloudExtent
 cloudExtent(const PointView& points)
 {
+  constexpr std::size_t sampled = std::size_t{1} << 20, between_polls = 4096;
+  const std::size_t step = points.size() / sampled + 1;
   CloudExtent extent;
-  LargeVector<float> values;
-  for (int axis = 0; axis < 3; ++axis) {
-    values.clear();
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (const Eigen::Vector3f p = points[i]; p.allFinite())
-        values.push_back(p[axis]);
-    extent.finite_points = values.size();
-    if (!values.empty())
-      std::tie(extent.minimum[axis], extent.maximum[axis]) = quantiles(values);
+  std::array<std::vector<float>, 3> values;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % between_polls == 0)
+      pollRun();
+    const Eigen::Vector3f point = points[i];
+    if (point.allFinite() && extent.finite_points++ % step == 0)
+      for (int axis = 0; axis < 3; ++axis)
+        values[static_cast<std::size_t>(axis)].push_back(point[axis]);
   }
+  for (int axis = 0; axis < 3 && extent.finite_points > 0; ++axis)
+    std::tie(extent.minimum[axis], extent.maximum[axis]) =
+        quantiles(values[static_cast<std::size_t>(axis)]);
   return extent;
 }
 

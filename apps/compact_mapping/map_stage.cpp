@@ -163,6 +163,8 @@ Mapped
 mapCloud(const ChainOptions& options, const RunControls& controls, StageLog& log)
 {
   StepTimer timer(log.report);
+  const Progress progress(controls.progress);
+  progress.tell(0, "reading");
   const auto file = std::make_shared<PointCloudFile>();
   const CloudRows rows = loadCloudRows(options.input, controls.scale, *file);
   timer.finish("read");

@@ -1,6 +1,9 @@
 #include "clustering_runs.h"
 
+#include <pcl/conversions.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/point_types.h>
+#include <pcl/segmentation/cylinder_hypothesis_clustering.h>
 
 #include <gtest/gtest.h>
 
@@ -50,6 +53,75 @@ TYPED_TEST(AnyPointClusters, theSame)
   const Clustered found = runClustering(clustering);
   EXPECT_GE(found.patches.size(), 2U);
   EXPECT_TRUE(areSame(found, clusterOn(mesh)));
+}
+
+/** A cloud with normals of any length. */
+CloudRows
+rowsOf(const VotingMesh& mesh, const Voted& voted)
+{
+  PointCloud<PointNormal> cloud = *copyOf<PointNormal>(mesh.cloud);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    cloud[i].getNormalVector3fMap() = 3 * voted.normal(i);
+  const PCLPointCloud2::Ptr rows(new PCLPointCloud2);
+  toPCLPointCloud2(cloud, *rows);
+  return rows;
+}
+
+/** The votes as NormalVectorVoting<PCLPointCloud2> returns them. */
+CloudRows
+rowsOf(const Voted& voted)
+{
+  const PCLPointCloud2::Ptr normals(new PCLPointCloud2);
+  toPCLPointCloud2(voted.normals, *normals);
+  return rowsWith(CloudRows(normals),
+                  {{"vertex_class", PCLPointField::UINT8}},
+                  [&](std::uint8_t* row, std::size_t i) {
+                    row[normals->point_step] =
+                        static_cast<std::uint8_t>(voted.classes[i].label);
+                  });
+}
+
+TEST(ClusteringClass, takesRows)
+{
+  const VotingMesh mesh = withNoise(makeDoor(0.2), {0, 0, 1}, 0.001);
+  const Voted voted = voteOn(mesh);
+  PlaneHypothesisClustering<PCLPointCloud2> clustering;
+  clustering.setInputCloud(rowsOf(mesh, voted));
+  clustering.setTriangles(mesh.faces);
+  EXPECT_GE(runClustering(clustering).patches.size(), 2U) << "their own normals";
+  clustering.setInputNormals(rowsOf(voted));
+  EXPECT_TRUE(areSame(runClustering(clustering), clusterOn(mesh)));
+  clustering.setNoiseDriven(false);
+  EXPECT_GT(clustering.estimateSeconds(), 0);
+}
+
+TEST(ClusteringClass, refusesRowsThatDoNotFit)
+{
+  const VotingMesh mesh = makeWall(1, 1);
+  const Voted voted = voteOn(mesh);
+  PlaneHypothesisClustering<PCLPointCloud2> clustering;
+  CylinderHypothesisClustering<PCLPointCloud2> cylinders;
+  std::vector<PlanePatch> planes;
+  std::vector<CylinderPatch> patches;
+  EXPECT_EQ(clustering.estimateSeconds(), 0);
+  EXPECT_THROW(clustering.segment(planes), InitFailedException) << "no cloud";
+  EXPECT_THROW(cylinders.segment(patches), InitFailedException);
+  const PCLPointCloud2::Ptr bare(new PCLPointCloud2);
+  toPCLPointCloud2(mesh.cloud, *bare);
+  clustering.setInputCloud(bare);
+  EXPECT_THROW(clustering.segment(planes), InitFailedException) << "no normals";
+  clustering.setInputCloud(rowsOf(mesh, voted));
+  cylinders.setInputCloud(rowsOf(mesh, voted));
+  const CloudRows others = rowsOf(voteOn(makeWall(1, 2)));
+  clustering.setInputNormals(others);
+  cylinders.setInputNormals(others);
+  EXPECT_THROW(clustering.segment(planes), InitFailedException) << "too many normals";
+  EXPECT_THROW(cylinders.segment(patches), InitFailedException);
+  TriangleMesh beyond;
+  beyond.triangles = {{0, 1, 100000}};
+  clustering.setInputNormals(rowsOf(voted));
+  clustering.setTriangles(beyond);
+  EXPECT_THROW(clustering.segment(planes), InitFailedException) << "corners";
 }
 
 TEST(ClusteringClass, takesTheNormalsOfThePoints)

@@ -1,6 +1,7 @@
 #include "byte_source.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/progress.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -90,6 +91,8 @@ ByteSource::read(void* to, std::size_t bytes)
   if (near > 0)
     std::memcpy(to, window_, near);
   window_ += near;
+  if (bytes > near)
+    pollRun();
   if (bytes - near >= maximum_line) {
     readFile(static_cast<char*>(to) + near, bytes - near);
   }

@@ -211,6 +211,8 @@ private:
       return false;
     PlaneMapping::Consolidation consolidation = mapping_.getConsolidation();
     if (mapping_.getConsolidationPolicy() == ConsolidationPolicy::WhereNoisy) {
+      const Progress progress(progress_);
+      progress.tell(0, "noise scale");
       report_.noise_scale =
           measureNoiseScale(requirePoints(rows_),
                             sensorsOf(rows_, sensors, file_.sensor_origin),

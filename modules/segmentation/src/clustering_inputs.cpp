@@ -44,7 +44,7 @@ ClusteringInputs::requireAsMany(const char* what,
 }
 
 void
-ClusteringInputs::setLabels(PointLabels of_hypotheses,
+ClusteringInputs::keepLabels(PointLabels of_hypotheses,
                             const std::vector<std::int32_t>* chosen,
                             std::size_t points)
 {

@@ -79,7 +79,7 @@ CylinderClusteringParameters::cluster(acmap::PlaneHypotheses hypotheses,
       settings,
       acmap::Progress(progress_),
       report);
-  setLabels(std::move(clusters.labels), chosen, points);
+  keepLabels(std::move(clusters.labels), chosen, points);
   source_labels_ = std::move(clusters.source_labels);
   report_ = std::move(report);
   return std::move(clusters.patches);

@@ -98,7 +98,7 @@ protected:
    * \param[in] of_hypotheses for each point, or for each of the chosen ones
    * \param[in] chosen indices of points, nullptr for all */
   void
-  setLabels(PointLabels of_hypotheses,
+  keepLabels(PointLabels of_hypotheses,
             const std::vector<std::int32_t>* chosen,
             std::size_t points);
 
