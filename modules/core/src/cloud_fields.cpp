@@ -167,7 +167,7 @@ PointView
 normalsOf(const CloudRows& rows)
 {
   const PCLPointField* const x =
-      rows ? findTriple(rows.layout(), normal_field_names) : nullptr;
+      rows.size() > 0 ? findTriple(rows.layout(), normal_field_names) : nullptr;
   if (!x)
     return {};
   requireBytes(rows);

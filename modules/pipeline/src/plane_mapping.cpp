@@ -87,7 +87,7 @@ public:
   fromMesh(TriangleMesh mesh)
   {
     MappedPlanes result = emptyResult();
-    result.vertices = rows_;
+    result.vertices = wholeRows();
     result.mesh = std::move(mesh);
     vote({}, std::nullopt, result);
     cluster({}, {}, result);
@@ -109,7 +109,7 @@ public:
     const bool is_consolidated =
         consolidate(names_views, sensors, result, vertex_of_point);
     if (!is_consolidated)
-      result.vertices = rows_;
+      result.vertices = wholeRows();
     triangulate(result);
     // the consolidation has already oriented its normals, and the mesh, towards the
     // sensors
@@ -389,6 +389,15 @@ private:
     result.sensor_origin = file_.sensor_origin;
     result.sensor_orientation = file_.sensor_orientation;
     return result;
+  }
+
+  /** The points of the input as vertices, which no other process has. */
+  CloudRows
+  wholeRows() const
+  {
+    CloudRows rows = rows_;
+    rows.setShares(nullptr);
+    return rows;
   }
 
   static PointLabels

@@ -94,7 +94,7 @@ valuesOf(const CloudRows& rows, const char* name, std::uint8_t type)
 {
   LargeVector<Value> values;
   const PCLPointField* const field = acmap::findField(rows.layout(), name, type);
-  if (!field)
+  if (!field || rows.size() == 0)
     return values;
   values.resize(rows.size());
   const std::uint8_t* from = rows.data() + field->offset;
