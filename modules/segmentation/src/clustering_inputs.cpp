@@ -45,8 +45,8 @@ ClusteringInputs::requireAsMany(const char* what,
 
 void
 ClusteringInputs::keepLabels(PointLabels of_hypotheses,
-                            const std::vector<std::int32_t>* chosen,
-                            std::size_t points)
+                             const std::vector<std::int32_t>* chosen,
+                             std::size_t points)
 {
   if (!chosen) {
     labels_ = std::move(of_hypotheses);

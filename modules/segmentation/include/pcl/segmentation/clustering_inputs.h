@@ -99,8 +99,8 @@ protected:
    * \param[in] chosen indices of points, nullptr for all */
   void
   keepLabels(PointLabels of_hypotheses,
-            const std::vector<std::int32_t>* chosen,
-            std::size_t points);
+             const std::vector<std::int32_t>* chosen,
+             std::size_t points);
 
   TriangleMesh::Triangles triangles_;
   acmap::PointView source_points_;
