@@ -76,7 +76,7 @@ for tool in $(dpkg -L acmap-tools | grep ^/usr/bin/); do
 done
 cd /try
 pcl_simulated_rig -o clouds --observations 2 --clouds
-pcl_simulated_rig -o raw --observations 1 --patterns 4 --cameras /usr/share/acmap/rigs/*.yaml
+pcl_simulated_rig -o raw --observations 1 --patterns 4 --cameras /usr/share/acmap/rigs/digiclops_built.yaml
 pcl_active_stereo raw -o observations
 pcl_dewall_surface clouds/observation_0000.pcd mesh.ply --consolidate
 pcl_plane_extraction mesh.ply planes.json

@@ -285,7 +285,7 @@ TEST(PlaneTexturingUgly, TexelsAreEnlargedWhereThereWouldBeTooMany)
   const double bytes = texturing.estimateMemory() / texels;
   constexpr double most = 3 << 24;
   const double smallest = 0.1 * std::sqrt(texels / most);
-  texturing.setTexelSize(smallest / 3.6);
+  texturing.setTexelSize(smallest / 15);
   EXPECT_LT(texturing.estimateMemory(), bytes * most);
   EXPECT_GT(texturing.estimateMemory(), 0.9 * bytes * most);
 }

@@ -119,7 +119,7 @@ legalTexelSize(const std::vector<PlanePatch>& planes,
                const std::vector<CylinderPatch>& cylinders,
                double texel_size)
 {
-  constexpr double max_enlargement = 4;
+  constexpr double max_enlargement = 16; // of a laser scan from the air
   for (double size = texel_size; size <= max_enlargement * texel_size;) {
     const double texels = texelsOf(gridsOf(planes, size), cylinders, size);
     if (texels <= max_painted)

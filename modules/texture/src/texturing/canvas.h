@@ -111,7 +111,7 @@ struct Canvas {
   }
 };
 
-/** The edge of a texel in metres, one to four times \p texel_size, of which these surfaces
+/** The edge of a texel in metres, one to sixteen times \p texel_size, of which these surfaces
  * have at most as many as the pages of a map hold; \p texel_size if there is none. */
 double
 legalTexelSize(const std::vector<PlanePatch>& planes,

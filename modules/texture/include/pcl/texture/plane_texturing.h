@@ -143,7 +143,7 @@ public:
     return paper_mode_;
   }
 
-  /** \brief Sets the edge length of a texel (default 0.02 m). Up to four times
+  /** \brief Sets the edge length of a texel (default 0.02 m). Up to sixteen times
    * as large ones are taken, with a remark, where the charts would have more than 50
    * million, which the pages of a map hold.
    * \throws BadArgumentException unless within [1e-4, 10] m */
@@ -219,7 +219,7 @@ public:
    * plane, and the poses; empty when there are no planes, and the report says why
    * \throws InitFailedException when no planes were set, or an observation has no
    * coordinates
-   * \throws BadArgumentException when the charts would have more of four times the size
+   * \throws BadArgumentException when the charts would have more of sixteen times the size
    * \throws CancelledException when the progress callback cancelled the run */
   void
   texture(CompactMap& map);

@@ -70,7 +70,7 @@ class ACMAP_EXPORT TextureBuilder {
 public:
   /** \param[in] planes in the map's frame; those without polygons get no chart
    * \throws BadArgumentException when all charts together have more than 50 million texels
-   * of four times the size */
+   * of sixteen times the size */
   TextureBuilder(const std::vector<PlanePatch>& planes,
                  const std::vector<CylinderPatch>& cylinders,
                  const TexturingSettings& settings);
