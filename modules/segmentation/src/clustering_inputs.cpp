@@ -32,6 +32,21 @@ ClusteringInputs::pointSensors(const CloudRows& points) const
                              : acmap::sensorsOf(points, viewpoints_, std::nullopt);
 }
 
+acmap::PlaneHypotheses
+ClusteringInputs::hypothesesOf(const CloudRows& points, const CloudRows& normals) const
+{
+  acmap::PlaneHypotheses hypotheses;
+  hypotheses.points = acmap::requirePoints(points);
+  const std::size_t size = hypotheses.points.size();
+  acmap::requireCornersInside(triangles_, size);
+  const acmap::PointView given = acmap::normalsOf(normals ? normals : points);
+  if (normals)
+    requireAsMany("normals", given.size(), size);
+  hypotheses.normals = acmap::unitNormals(given);
+  hypotheses.sensors = pointSensors(points);
+  return hypotheses;
+}
+
 void
 ClusteringInputs::requireAsMany(const char* what,
                                 std::size_t number,

@@ -1,6 +1,4 @@
 #include <pcl/core/impl/arguments.h>
-#include <pcl/core/impl/cloud_fields.h>
-#include <pcl/core/impl/mesh_input.h>
 #include <pcl/exceptions.h>
 #include <pcl/segmentation/cylinder_hypothesis_clustering.h>
 
@@ -89,16 +87,9 @@ void
 CylinderHypothesisClustering<PCLPointCloud2>::segment(
     std::vector<CylinderPatch>& patches)
 {
-  acmap::PlaneHypotheses hypotheses;
-  hypotheses.points = acmap::requirePoints(rows_);
+  acmap::PlaneHypotheses hypotheses = hypothesesOf(rows_, normals_);
   const std::size_t points = hypotheses.points.size();
-  acmap::requireCornersInside(triangles_, points);
-  const acmap::PointView normals = acmap::normalsOf(normals_ ? normals_ : rows_);
-  if (normals_)
-    requireAsMany("normals", normals.size(), points);
   requirePlanes(points);
-  hypotheses.normals = acmap::unitNormals(normals);
-  hypotheses.sensors = pointSensors(rows_);
   patches = cluster(std::move(hypotheses), nullptr, points);
 }
 

@@ -1,6 +1,5 @@
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
-#include <pcl/core/impl/mesh_input.h>
 #include <pcl/segmentation/plane_hypothesis_clustering.h>
 
 #include <cmath>
@@ -119,13 +118,9 @@ PlaneHypothesisClustering<PCLPointCloud2>::estimateSeconds() const
 void
 PlaneHypothesisClustering<PCLPointCloud2>::segment(std::vector<PlanePatch>& patches)
 {
-  acmap::PlaneHypotheses hypotheses;
-  hypotheses.points = acmap::requirePoints(rows_);
+  acmap::PlaneHypotheses hypotheses = hypothesesOf(rows_, normals_);
   const std::size_t points = hypotheses.points.size();
-  acmap::requireCornersInside(triangles_, points);
-  const acmap::PointView normals = acmap::normalsOf(normals_ ? normals_ : rows_);
-  requireAsMany("normals", normals.size(), points);
-  hypotheses.normals = acmap::unitNormals(normals);
+  requireAsMany("normals", hypotheses.normals.size(), points);
   if (normals_) {
     hypotheses.curvatures =
         valuesOf<float>(normals_, "curvature", PCLPointField::FLOAT32);
@@ -134,7 +129,6 @@ PlaneHypothesisClustering<PCLPointCloud2>::segment(std::vector<PlanePatch>& patc
     for (std::uint8_t& value : hypotheses.is_crease)
       value = acmap::isCrease(value) ? 1 : 0;
   }
-  hypotheses.sensors = pointSensors(rows_);
   patches = cluster(std::move(hypotheses), nullptr, points);
 }
 

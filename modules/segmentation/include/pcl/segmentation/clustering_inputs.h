@@ -10,6 +10,7 @@
 #include <pcl/core/sensor_view.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/point_cloud.h>
+#include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
 #include <memory>
 #include <utility>
@@ -86,8 +87,11 @@ protected:
   acmap::SensorView
   pointSensors(const PointCloud<PointT>& points, const std::int32_t* chosen) const;
 
-  acmap::SensorView
-  pointSensors(const CloudRows& points) const;
+  /** \brief The points of rows with their normals and sensors.
+   * \param[in] normals one row per point; none: those of the points, if they have any
+   * \throws InitFailedException as the classes for rows do */
+  acmap::PlaneHypotheses
+  hypothesesOf(const CloudRows& points, const CloudRows& normals) const;
 
   /** \brief Throws InitFailedException unless there is one for each point.
    * \param[in] what in the plural */
@@ -108,6 +112,9 @@ protected:
   PointLabels source_labels_;
 
 private:
+  acmap::SensorView
+  pointSensors(const CloudRows& points) const;
+
   std::shared_ptr<const void> source_;
   std::vector<Eigen::Vector3f> viewpoints_; ///< of the source
   PointLabels labels_;
@@ -122,9 +129,7 @@ ClusteringInputs::setSourceCloud(
   acmap::requireViewpoints(viewpoints);
   source_ = cloud;
   const bool is_empty = !cloud || cloud->empty();
-  source_points_ =
-      is_empty ? acmap::PointView()
-               : acmap::PointView(&cloud->front().x, sizeof(SourceT), cloud->size());
+  source_points_ = is_empty ? acmap::PointView() : acmap::pointsOf(*cloud);
   source_sensors_ =
       is_empty ? acmap::SensorView() : acmap::sensorsOf(*cloud, viewpoints);
   viewpoints_ = is_empty ? std::vector<Eigen::Vector3f>() : viewpoints;

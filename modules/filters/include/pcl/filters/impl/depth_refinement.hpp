@@ -64,8 +64,7 @@ DepthRefinement<PointT>::applyFilter(PointCloud& output)
       if (!is_chosen[i])
         result[i].getVector3fMap().setConstant(std::numeric_limits<float>::quiet_NaN());
   }
-  const acmap::PointView points(
-      result.empty() ? nullptr : &result.front().x, sizeof(PointT), result.size());
+  const acmap::PointView points = acmap::pointsOf(result);
   DepthRefinementReport report;
   report.points = report.invalid_points = result.size();
   if (const auto seen = acmap::measureDepthView(points, result.width)) {

@@ -18,13 +18,7 @@ levelled(const PointCloud<PointT>& cloud,
          const Eigen::Isometry3d& T_map_camera,
          const std::vector<float>& weights)
 {
-  PointView points, normals;
-  if (!cloud.empty()) {
-    points = PointView(&cloud.front().x, sizeof(PointT), cloud.size());
-    if constexpr (has_normal<PointT>)
-      normals = PointView(&cloud.front().normal_x, sizeof(PointT), cloud.size());
-  }
-  return levelledPoints(points, normals, T_map_camera, weights);
+  return levelledPoints(pointsOf(cloud), normalsOf(cloud), T_map_camera, weights);
 }
 
 } // namespace acmap

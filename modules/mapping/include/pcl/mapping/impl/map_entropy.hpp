@@ -103,10 +103,8 @@ MapEntropy<PointT>::viewOf(std::size_t number) const
   view.pose = poses_[number];
   if (cloud.empty())
     return view;
-  view.points = acmap::PointView(&cloud.front().x, sizeof(PointT), cloud.size());
-  if constexpr (acmap::has_normal<PointT>)
-    view.normals =
-        acmap::PointView(&cloud.front().normal_x, sizeof(PointT), cloud.size());
+  view.points = acmap::pointsOf(cloud);
+  view.normals = acmap::normalsOf(cloud);
   if (!weights_[number].empty())
     view.weights = weights_[number].data();
   return view;

@@ -14,13 +14,7 @@ template <typename PointT>
 ObservedSurface
 surfaceOf(const PointCloud<PointT>& cloud, const std::vector<float>& weights)
 {
-  PointView points, normals;
-  if (!cloud.empty()) {
-    points = PointView(&cloud.front().x, sizeof(PointT), cloud.size());
-    if constexpr (has_normal<PointT>)
-      normals = PointView(&cloud.front().normal_x, sizeof(PointT), cloud.size());
-  }
-  return observedSurface(points, normals, weights);
+  return observedSurface(pointsOf(cloud), normalsOf(cloud), weights);
 }
 
 } // namespace acmap

@@ -25,7 +25,7 @@ adjustedViewOf(const PointCloud<PointT>& cloud)
   AdjustedView view;
   if (cloud.empty())
     return view;
-  view.points = PointView(&cloud.front().x, sizeof(PointT), cloud.size());
+  view.points = pointsOf(cloud);
   if constexpr (has_sigma<PointT>) {
     view.sigmas = &cloud.front().sigma;
     view.sigma_stride = sizeof(PointT);

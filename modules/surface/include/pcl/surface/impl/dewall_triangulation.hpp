@@ -26,10 +26,7 @@ DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
   acmap::DeWallSettings settings = kernelSettings();
   settings.sensor_origin =
       input_->sensor_origin_.template head<3>().template cast<double>();
-  const acmap::PointView view(input_->empty() ? nullptr : &input_->front().x,
-                              sizeof(PointInT),
-                              indices_->size(),
-                              indices_->data());
+  const acmap::PointView view = acmap::pointsOf(*input_, indices_.get());
   settings.normals = acmap::normalsOf(*input_);
   settings.neighbours = givenSearch();
   settings.is_single_view =

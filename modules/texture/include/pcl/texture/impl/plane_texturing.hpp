@@ -31,8 +31,7 @@ ColoredView
 viewOfCloud(const PointCloud<PointT>& cloud, const Eigen::Isometry3d& T_map_camera)
 {
   ColoredView view;
-  view.points = PointView(
-      cloud.empty() ? nullptr : &cloud.front().x, sizeof(PointT), cloud.size());
+  view.points = pointsOf(cloud);
   view.colors = colorsOf(cloud);
   if constexpr (traits::has_field<PointT, fields::intensity>::value)
     if (!cloud.empty())
