@@ -168,6 +168,10 @@ TEST(DepthStep, isNoneWhereDepthIsNotQuantised)
   for (const Eigen::Vector3f& point : room.points)
     lattice.push_back({point.x(), point.y(), std::round(100 * point.z()) / 100});
   EXPECT_EQ(measureDepthStep(viewOf(lattice)), 0);
+  // even in both: heights of a survey
+  for (Eigen::Vector3f& point : lattice)
+    point.z() += 200;
+  EXPECT_EQ(measureDepthStep(viewOf(lattice)), 0);
 }
 
 TEST(InverseDepthNoise, tellsWhatNeighboursShareFromWhatIsAPixelsOwn)

@@ -106,7 +106,10 @@ measureDepthStep(const PointView& points)
   const Steps of_inverse = stepsOf(depths);
   // uniform steps of depth come from a lattice, or from a file in millimetres
   constexpr double even = 0.4;
-  return of_inverse.spread < even && of_inverse.spread < of_depth.spread + 0.05
+  // far from the origin, as heights of a survey in millimetres, a lattice is even in both
+  constexpr double finest = 1e-5; // 1/m: no camera has such steps
+  return of_inverse.spread < even && of_inverse.spread < of_depth.spread + 0.05 &&
+                 of_inverse.median > finest
              ? of_inverse.median
              : 0;
 }

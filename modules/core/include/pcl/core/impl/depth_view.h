@@ -168,7 +168,7 @@ private:
 /** \brief Finds the uniform step of inverse depth of points in the frame of their
  * sensor. The depth of a cloud is quantised if the number of distinct depths is small
  * compared with the number of points and the middle half of the steps between
- * neighbouring values of 1/z is within +- 20 % of their median.
+ * neighbouring values of 1/z is within +- 20 % of their median, which is above 1e-5 1/m.
  * \return the median step, 1/m; 0 if the depth is not quantised */
 ACMAP_EXPORT double
 measureDepthStep(const PointView& points);
