@@ -104,6 +104,8 @@ run(Tool& tool, const ChainOptions& options)
   if (start != StartingPoint::Cloud && !options.as_recorded)
     sequence = chain.sequenceFrom(start, recorded);
   nlohmann::ordered_json map_values = values(map_group);
+  if (start == StartingPoint::Cloud) // its up direction is not used before the map
+    map_values.update(values(rectification_group));
   if (options.as_recorded) // whoever asks for a replay does not want an earlier one
     map_values["replayed"] =
         std::chrono::system_clock::now().time_since_epoch().count();

@@ -43,7 +43,7 @@ struct ViewerOptions {
 /** \brief The data to be shown. */
 struct ViewerInput {
   LayeredScene scene;
-  Eigen::Vector3f sensor_origin = Eigen::Vector3f::Zero(); ///< metres
+  std::optional<Eigen::Vector3f> sensor_origin = Eigen::Vector3f::Zero(); ///< metres
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
   std::optional<Eigen::Vector3f> up; ///< if the file format defines one: y of OBJ
   std::vector<std::string> remarks;  ///< warnings
@@ -219,8 +219,9 @@ loadFile(const std::string& path, double scale)
     throw NothingFound(path + ": nothing to show, no point is finite");
   ViewerInput input;
   note(file.points, scale, input.remarks);
-  input.sensor_origin = file.points.sensor_origin;
+  input.sensor_origin = sensorOf(file.points);
   input.sensor_orientation = file.points.sensor_orientation;
+  input.up = file.points.up;
   if (endingOf(path) == ".obj")
     input.up = Eigen::Vector3f::UnitY();
   LayeredScene& scene = input.scene;

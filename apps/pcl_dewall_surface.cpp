@@ -7,6 +7,7 @@
 #include "tool.h"
 
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/up_direction.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/filters/depth_refinement.h>
@@ -92,6 +93,8 @@ checkPlaces(const Tool& tool, const Options& options)
 struct Input {
   pcl::PointCloudFile file; ///< without the data of its cloud
   pcl::CloudRows rows;
+  /** Up direction, if free space has to tell the sides of the surfaces. */
+  std::optional<Eigen::Vector3d> up;
 
   pcl::acmap::PointView
   points() const
@@ -131,6 +134,8 @@ triangulate(const Options& options,
   pcl::DeWallTriangulation<pcl::PCLPointCloud2> dewall;
   dewall.setInputCloud(input.rows);
   dewall.setSensorOrigin(input.file.sensor_origin);
+  if (input.up)
+    dewall.setUpDirection(*input.up);
   dewall.setMaximumEdgeLength(maximum_edge_length);
   dewall.setAcceptanceRule(options.rule);
   dewall.setComputeWallDepth(options.wall_depth);
@@ -175,7 +180,8 @@ consolidate(const Options& options,
   pcl::VoxelConsolidation<pcl::PCLPointCloud2> consolidation;
   consolidation.setViewpoints(
       viewpointsOfFile(input.file, options.input, controls.scale, log));
-  consolidation.setSensorOrigin(input.file.sensor_origin);
+  if (const auto sensor = sensorOf(input.file))
+    consolidation.setSensorOrigin(*sensor);
   if (*options.voxel_size > 0)
     requireFineLength("--consolidate", *options.voxel_size, input.points(), log);
   consolidation.setVoxelSize(*options.voxel_size);
@@ -184,6 +190,10 @@ consolidate(const Options& options,
   consolidation.setInputCloud(input.rows);
   consolidation.filter(input.rows);
   const pcl::ConsolidationReport& report = consolidation.getReport();
+  const bool names_views =
+      findField(input.rows.layout(), "view", pcl::PCLPointField::INT32);
+  if (!input.up && !names_views && !report.sensors_fit && input.rows.size() > 0)
+    input.up = probableUpAxis(input.points(), normalsOf(input.rows));
   log.warn(report.remarks);
   tellConsolidation(report, log);
   return report.voxel_size;
@@ -231,6 +241,8 @@ meshCloud(const Options& options, const RunControls& controls, StageLog& log)
   progress.tell(0, "reading");
   Input input;
   input.rows = loadCloudRows(options.input, controls.scale, input.file);
+  if (input.file.up)
+    input.up = input.file.up->cast<double>();
   timer.finish("read");
   stopIfInterrupted();
 

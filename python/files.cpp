@@ -19,6 +19,7 @@ struct Cloud {
   py::array points;
   py::dict fields;
   py::array sensor_origin, sensor_orientation;
+  py::object up = py::none();
   std::vector<std::string> remarks;
 };
 
@@ -98,6 +99,8 @@ readCloud(const std::string& path)
       py::array(py::dtype::of<float>(), {3}, {}, file.sensor_origin.data(), owner);
   cloud.sensor_orientation = py::array(
       py::dtype::of<float>(), {4}, {}, file.sensor_orientation.coeffs().data(), owner);
+  if (file.up)
+    cloud.up = py::array(py::dtype::of<float>(), {3}, {}, file.up->data(), owner);
   cloud.remarks = file.remarks;
   return cloud;
 }
@@ -174,6 +177,10 @@ bindCloud(py::module_& module)
       .def_readonly("sensor_orientation",
                     &Cloud::sensor_orientation,
                     "(4,) float32, quaternion x y z w")
+      .def_readonly("up",
+                    &Cloud::up,
+                    "(3,) float32, direction upwards if nothing else is known of the "
+                    "sensor (LAS); else None")
       .def_readonly(
           "remarks", &Cloud::remarks, "oddities that did not prevent reading");
 }

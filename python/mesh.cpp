@@ -54,6 +54,8 @@ rule                'paper': no point inside the smallest sphere through a trian
                     algorithm as printed in the paper, for comparison, not manifold
 normals             as points, unit; off the side from which the points were seen
 sensor_origin       metres; faces look there where there are no normals
+up                  None, or the direction upwards: no sensor is known then, and faces look to their
+                    free space (DeWallTriangulation::setUpDirection)
 compute_wall_depth  asks for Mesh.wall_depth
 memory_limit        bytes beside the input; 0: none. More raises MemoryError.
 threads             0: all; the result is the same bytes for every number
@@ -85,6 +87,7 @@ bindMesh(py::module_& module)
          const std::string& rule,
          const std::optional<PointArgument>& normals,
          const std::array<double, 3>& sensor_origin,
+         const std::optional<std::array<double, 3>>& up,
          bool compute_wall_depth,
          std::size_t memory_limit,
          unsigned threads,
@@ -97,6 +100,9 @@ bindMesh(py::module_& module)
         settings.threads = threads;
         settings.memory_limit = memory_limit;
         settings.sensor_origin << sensor_origin[0], sensor_origin[1], sensor_origin[2];
+        if (up)
+          settings.up =
+              requiredDirection(Eigen::Vector3d((*up)[0], (*up)[1], (*up)[2]));
         return triangulate(points, normals, settings, progress);
       },
       about_mesh,
@@ -106,6 +112,7 @@ bindMesh(py::module_& module)
       "rule"_a = nameOf(defaults.rule, dewall_rules),
       "normals"_a = py::none(),
       "sensor_origin"_a = std::array<double, 3>{},
+      "up"_a = py::none(),
       "compute_wall_depth"_a = defaults.compute_wall_depth,
       "memory_limit"_a = defaults.memory_limit,
       "threads"_a = defaults.threads,

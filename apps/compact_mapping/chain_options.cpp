@@ -103,11 +103,16 @@ addMapOptions(Tool& tool, ChainOptions& options)
   });
 }
 
+/** \param[in] allowed name of an option of the group that is not refused */
 void
-refuseGroup(Tool& tool, const std::string& group, const std::string& why)
+refuseGroup(Tool& tool,
+            const std::string& group,
+            const std::string& why,
+            const std::string& allowed = "")
 {
   for (const CLI::Option* option : tool.options().get_options())
-    if (option->get_group() == group && option->count() > 0)
+    if (option->get_group() == group && option->count() > 0 &&
+        option->get_name() != allowed)
       throw UsageError(option->get_name() + ": " + why);
 }
 
@@ -181,7 +186,7 @@ requireSense(Tool& tool, const ChainOptions& options, StartingPoint start)
         tool, egomotion_group, "is for observations without poses, and " + what);
   if (start == StartingPoint::Cloud)
     for (const char* group : {motion_group, rectification_group})
-      refuseGroup(tool, group, "is for observations, and " + what);
+      refuseGroup(tool, group, "is for observations, and " + what, "--up");
   if (start == StartingPoint::Cloud && !options.truth.empty())
     throw UsageError("--truth is for observations, and " + what);
   if (start == StartingPoint::Session && tool.scale() != 1)

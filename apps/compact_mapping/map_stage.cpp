@@ -167,6 +167,9 @@ mapCloud(const ChainOptions& options, const RunControls& controls, StageLog& log
   progress.tell(0, "reading");
   const auto file = std::make_shared<PointCloudFile>();
   const CloudRows rows = loadCloudRows(options.input, controls.scale, *file);
+  const std::optional<Eigen::Vector3d>& up = options.rectification.up;
+  if (up && file->sensor_origin.isZero(0))
+    file->up = up->normalized().cast<float>();
   timer.finish("read");
   warnOfLengths(requirePoints(rows), controls, log);
   const std::vector<Eigen::Vector3f> viewpoints =
@@ -178,6 +181,10 @@ mapCloud(const ChainOptions& options, const RunControls& controls, StageLog& log
   result.map =
       paintPlanes(surfacesOf(result.found), rows, options.texture, controls, log);
   result.map.shift = file->shift;
+  if (up)
+    result.map.up = up->normalized();
+  else if (file->up)
+    result.map.up = file->up->cast<double>();
   paint_timer.finish("paint");
   return result;
 }

@@ -462,8 +462,12 @@ SceneView
 sceneViewOf(const MappedPlanes& found)
 {
   SceneView view;
-  view.sensor_origin = found.sensor_origin;
+  if (found.up)
+    view.sensor_origin.reset();
+  else
+    view.sensor_origin = found.sensor_origin;
   view.sensor_orientation = found.sensor_orientation;
+  view.up = found.up;
   view.hide_backs = true;
   return view;
 }

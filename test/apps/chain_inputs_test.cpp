@@ -1,7 +1,10 @@
 #include "chain_runs.h"
+#include "las_file.h"
 #include "plane_runs.h"
 #include "tool_cases.h"
 
+#include <pcl/core/point_cloud_file.h>
+#include <pcl/core/point_cloud_writer.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
@@ -14,6 +17,7 @@ namespace pcl::acmap::test {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -124,6 +128,55 @@ TEST_F(ChainInputs, PosesThatAreAdjustedInSixDegreesOfFreedom)
   EXPECT_THAT(madeStages(out_), IsEmpty());
   heightOfLast({"--6dof", "--odometry-noise", "0.02", "0.5"});
   EXPECT_THAT(madeStages(out_), ElementsAre("rectification", "adjustment", "map"));
+}
+
+/** A ground and a step of it, 30 m above the origin of a national grid. */
+LasFile
+survey()
+{
+  constexpr int columns = 100;
+  LasFile las(2, 0, {500000, 4000000, 30}, columns * columns);
+  for (std::size_t i = 0; i < las.points; ++i) {
+    const auto column = static_cast<int>(i % columns),
+               row = static_cast<int>(i / columns);
+    const int millimetres[] = {100 * column, 100 * row, row < columns / 2 ? 0 : 3000};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      las.set<std::int32_t>(las.at(i) + 4 * axis, millimetres[axis]);
+  }
+  return las;
+}
+
+/** z of the normals of the planes of a map. */
+std::vector<double>
+risesOf(const std::string& map)
+{
+  std::vector<double> rises;
+  const auto content = jsonOfFile(map + "/map.json");
+  for (const auto& plane : content.at("planes"))
+    rises.push_back(plane.at("coefficients").at(2).get<double>());
+  return rises;
+}
+
+TEST_F(ChainInputs, GroundOfASurveyFacesUp)
+{
+  const LasFile las = survey();
+  const std::string path = folder_.write("survey.las", las.bytes);
+  refuse(path, {"--bin", "0.1"}, 2, "--bin: is for observations");
+  ToolRun run = runChain(path, out_);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(risesOf(out_), ElementsAre(DoubleNear(1, 1e-6), DoubleNear(1, 1e-6)));
+  EXPECT_EQ(jsonOfFile(out_ + "/map.json").at("up"),
+            nlohmann::json::array({0.0, 0.0, 1.0}));
+
+  const std::string pcd = folder_.path("survey.pcd");
+  savePointCloud(pcd, loadPointCloud(path).cloud);
+  run = runChain(pcd, out_, {"--up", "z"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(risesOf(out_), ElementsAre(DoubleNear(1, 1e-6), DoubleNear(1, 1e-6)));
+  run = runChain(pcd, out_);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(risesOf(out_), ElementsAre(DoubleNear(-1, 1e-6), DoubleNear(-1, 1e-6)))
+      << "without a sensor and up direction, the origin is the sensor";
 }
 
 TEST_F(ChainInputs, OneObservationAloneIsPosed)

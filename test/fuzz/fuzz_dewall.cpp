@@ -32,6 +32,8 @@ struct DeWallTask {
     settings.is_single_view = choice & 16;
     settings.compute_wall_depth = choice & 32;
     settings.threads = choice >= 0xf0 ? 2 : 1;
+    if (choice & 128)
+      settings.up = Eigen::Vector3d::UnitZ();
     const bool has_normals = choice & 64;
     const PointStyle style(bytes);
     is_moderate = style.isModerate();
@@ -119,8 +121,8 @@ void
 requireFacing(const DeWallTask& task, const Points& points, const TriangleMesh& mesh)
 {
   const Eigen::Vector3d& sensor = task.settings.sensor_origin;
-  if (!isGuarded(task) || task.settings.is_single_view || !task.normals.empty() ||
-      !task.is_moderate || !sensor.allFinite())
+  if (!isGuarded(task) || task.settings.is_single_view || task.settings.up ||
+      !task.normals.empty() || !task.is_moderate || !sensor.allFinite())
     return;
   Eigen::VectorXd front = Eigen::VectorXd::Zero(points.size()), whole = front;
   FaceSets components(points.size());

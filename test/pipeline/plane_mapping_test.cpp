@@ -1,7 +1,9 @@
+#include "clouds.h"
 #include "depth_room.h"
 
 #include <pcl/conversions.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/random.h>
 #include <pcl/pipeline/plane_mapping.h>
 #include <pcl/simulation/simulated_observation.h>
 #include <pcl/simulation/standard_scenes.h>
@@ -115,6 +117,65 @@ TEST_F(Office, isMappedAsTheClassesOneByOneWould)
   const PlaneMappingReport& report = mapping.getReport();
   EXPECT_TRUE(report.consolidation && report.mesh && report.votes && report.planes);
   EXPECT_FALSE(report.depth_planes);
+}
+
+/** A ground of 6 by 6 metres, a kilometre above the origin.
+ * \param[in] noise metres, one standard deviation */
+std::shared_ptr<PointCloudFile>
+groundAbove(double noise)
+{
+  Random random(4);
+  PointCloud<PointXYZ> ground;
+  for (int i = 0; i < 120 * 120; ++i)
+    ground.push_back(
+        PointXYZ(static_cast<float>(0.05 * (i % 120) + random.uniform(-0.01, 0.01)),
+                 static_cast<float>(0.05 * (i / 120) + random.uniform(-0.01, 0.01)),
+                 static_cast<float>(1000 + noise * random.normal())));
+  const auto file = std::make_shared<PointCloudFile>();
+  toPCLPointCloud2(ground, file->cloud);
+  return file;
+}
+
+TEST(PlaneMapping, facesFreeSpaceIfNoSensorIsKnown)
+{
+  for (const double noise : {0.0, 0.03})
+    for (const MappingMode mode : {MappingMode::Accurate, MappingMode::Paper})
+      for (const bool is_survey : {false, true}) {
+        const auto file = groundAbove(mode == MappingMode::Paper ? 0 : noise);
+        if (is_survey)
+          file->up = Eigen::Vector3f::UnitZ();
+        PlaneMapping mapping;
+        mapping.setMode(mode);
+        mapping.setInputCloud(std::shared_ptr<const PointCloudFile>(file));
+        MappedPlanes found;
+        mapping.compute(found);
+        ASSERT_EQ(found.planes.size(), 1U) << noise;
+        EXPECT_GT(found.planes[0].area, 30);
+        EXPECT_NEAR(found.planes[0].coefficients[2], is_survey ? 1 : -1, 1e-3);
+        EXPECT_EQ(found.up, file->up);
+      }
+}
+
+/** Two rooms with a wall between them, of which one has the origin inside. */
+TEST(PlaneMapping, roomsThatTheSensorCannotSeeFaceInwards)
+{
+  Cloud rooms = makeRoom(0.03, 0.4, 1);
+  const Eigen::Vector3d next(0, 3.4, 0);
+  rooms += moved(makeRoom(0.03, 0.4, 2), Eigen::Isometry3d(Eigen::Translation3d(next)));
+  PlaneMapping mapping;
+  mapping.setInputCloud(rooms.makeShared());
+  MappedPlanes found;
+  mapping.compute(found);
+  ASSERT_TRUE(mapping.getReport().consolidation);
+  EXPECT_FALSE(mapping.getReport().consolidation->sensors_fit);
+  EXPECT_GE(found.planes.size(), 9U); // the floors may be one plane
+  for (const PlanePatch& plane : found.planes) {
+    const Eigen::Vector3d corner = plane.polygons[0].outer[0].cast<double>();
+    const Eigen::Vector3d middle =
+        corner.y() < next.y() / 2 ? Eigen::Vector3d(0, 0, 0) : next;
+    EXPECT_GT(plane.coefficients.head<3>().dot(middle) + plane.coefficients[3], 0)
+        << corner.transpose();
+  }
 }
 
 /** Which steps are the paper's. */

@@ -118,6 +118,20 @@ class Settings(unittest.TestCase):
         seen = acmap.consolidate(wall, viewpoints=places, view=records["view"])
         self.assertTrue((seen.normals[:, 2] > 0).all())
 
+    def test_up_turns_faces_without_a_sensor(self):
+        ground = numpy.zeros((900, 3), numpy.float32)
+        ground[:, :2] = numpy.stack(numpy.divmod(numpy.arange(900), 30), axis=1)
+        ground[:, 2] = 100
+
+        def heights(**settings):
+            a, b, c = (ground[acmap.triangulate(ground, **settings).triangles[:, i]] for i in range(3))
+            return numpy.cross(b - a, c - a)[:, 2]
+
+        self.assertTrue((heights() < 0).all())
+        self.assertTrue((heights(up=(0, 0, 2)) > 0).all())
+        with self.assertRaises(ValueError):
+            acmap.triangulate(ground, up=(0, 0, 0))
+
     def test_what_is_not_asked_for_is_none(self):
         view = room_view()
         mesh = acmap.triangulate(view)

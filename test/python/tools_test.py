@@ -91,6 +91,7 @@ class SameAsTheTools(unittest.TestCase):
         self.assertEqual(read.points.tobytes(), view.tobytes())
         self.assertEqual(read.sensor_origin.tolist(), [0, 0, 0])
         self.assertEqual(read.sensor_orientation.tolist(), [0, 0, 0, 1])
+        self.assertIsNone(read.up)
         again = acmap.triangulate(read.points).triangles
         self.assertEqual(again.tobytes(), acmap.triangulate(view).triangles.tobytes())
 

@@ -89,7 +89,7 @@ TEST(Camera, LooksAsTheSensorDoesButFromBeside)
 TEST(Camera, FollowsTheSensorsPose)
 {
   SceneView view;
-  view.sensor_origin = {10, 0, 0};
+  view.sensor_origin = Eigen::Vector3f(10, 0, 0);
   view.sensor_orientation =
       Eigen::AngleAxisf(static_cast<float>(M_PI / 2), Eigen::Vector3f::UnitY());
   const Camera camera =

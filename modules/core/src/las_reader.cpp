@@ -259,6 +259,7 @@ readLas(ByteSource& source, LargeVector<std::uint8_t>* rows)
   intoRows(rows, file.cloud, [&](auto& data) {
     setShift(readRecords(source, header, layout, data, check), file);
   });
+  file.up = Eigen::Vector3f::UnitZ();
   check.finish(file);
   return file;
 }

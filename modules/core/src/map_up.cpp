@@ -56,16 +56,15 @@ spreadOf(const CompactMap& map)
   return squares / weights - (sum / weights).square();
 }
 
-/** \brief Area of the planes whose normal is along an axis. */
-double
-areaAlong(const std::vector<acmap::FacingArea>& facings, int axis)
+/** \brief Area of the planes whose normals are along each axis. */
+Eigen::Array3d
+areasAlongAxes(const CompactMap& map)
 {
-  constexpr double nearly = 0.97;
-  double area = 0;
-  for (const acmap::FacingArea& facing : facings)
-    if (std::abs(facing.normal[axis]) > nearly)
-      area += facing.area;
-  return area;
+  Eigen::Array3d areas = Eigen::Array3d::Zero();
+  for (const acmap::FacingArea& facing : facingsOf(map))
+    areas += facing.area *
+             (facing.normal.array().abs() > acmap::cosine_along_axis).cast<double>();
+  return areas;
 }
 
 } // namespace
@@ -79,11 +78,7 @@ upAxis(const CompactMap& map)
   const Vector3d cameras = upOfCameras(map.trajectory);
   if (cameras.cwiseAbs().maxCoeff(&axis) > 0)
     return std::copysign(1.0, cameras[axis]) * Vector3d::Unit(axis);
-  const Eigen::Array3d spread = spreadOf(map);
-  const std::vector<acmap::FacingArea> facings = facingsOf(map);
-  const bool z_is_level =
-      spread.z() < spread.y() && areaAlong(facings, 2) > areaAlong(facings, 1);
-  return z_is_level ? Vector3d::UnitZ() : Vector3d(-Vector3d::UnitY());
+  return acmap::probableUpAxis(spreadOf(map), areasAlongAxes(map));
 }
 
 Eigen::Vector3d

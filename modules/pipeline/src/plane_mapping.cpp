@@ -6,6 +6,7 @@
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/large_memory.h>
 #include <pcl/core/impl/mesh_input.h>
+#include <pcl/core/impl/up_direction.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/pipeline/picture.h>
 #include <pcl/pipeline/plane_mapping.h>
@@ -102,18 +103,19 @@ public:
   inSpace(const std::vector<Eigen::Vector3f>& viewpoints)
   {
     MappedPlanes result = emptyResult();
-    const bool names_views = findField(rows_.layout(), "view", PCLPointField::INT32);
-    const std::vector<Eigen::Vector3f> sensors =
-        names_views ? viewpoints : std::vector<Eigen::Vector3f>{file_.sensor_origin};
+    std::vector<Eigen::Vector3f> sensors;
+    if (namesViews())
+      sensors = viewpoints;
+    else if (const auto sensor = sensorOf(file_))
+      sensors = {*sensor};
     Indices vertex_of_point;
-    const bool is_consolidated =
-        consolidate(names_views, sensors, result, vertex_of_point);
+    const bool is_consolidated = consolidate(sensors, result, vertex_of_point);
     if (!is_consolidated)
       result.vertices = wholeRows();
     triangulate(result);
     // the consolidation has already oriented its normals, and the mesh, towards the
     // sensors
-    const bool turns = !is_consolidated && names_views;
+    const bool turns = !is_consolidated && namesViews();
     vote(turns ? sensors : std::vector<Eigen::Vector3f>(), std::nullopt, result);
     const bool sensors_fit = !is_consolidated || report_.consolidation->sensors_fit;
     const std::vector<Eigen::Vector3f> known_sensors =
@@ -177,6 +179,12 @@ public:
   }
 
 private:
+  bool
+  namesViews() const
+  {
+    return findField(rows_.layout(), "view", PCLPointField::INT32);
+  }
+
   void
   finish(const char* step)
   {
@@ -202,8 +210,7 @@ private:
   /** \return true if the cloud was consolidated: the vertices are then the consolidated
    * points */
   bool
-  consolidate(bool names_views,
-              const std::vector<Eigen::Vector3f>& sensors,
+  consolidate(const std::vector<Eigen::Vector3f>& sensors,
               MappedPlanes& result,
               Indices& vertex_of_point)
   {
@@ -215,7 +222,7 @@ private:
       progress.tell(0, "noise scale");
       report_.noise_scale =
           measureNoiseScale(requirePoints(rows_),
-                            sensorsOf(rows_, sensors, file_.sensor_origin),
+                            sensorsOf(rows_, sensors, sensorOf(file_)),
                             mapping_.getNumberOfThreads());
       if (report_.noise_scale->inverse_depth)
         report_.remarks.push_back(report_.noise_scale->remarks.front());
@@ -227,10 +234,10 @@ private:
         consolidation.setVoxelSize(automatic); // else the class measures it again
     }
     consolidation.setInputCloud(rows_);
-    if (names_views)
+    if (namesViews())
       consolidation.setViewpoints(sensors);
-    else
-      consolidation.setSensorOrigin(file_.sensor_origin);
+    else if (const auto sensor = sensorOf(file_))
+      consolidation.setSensorOrigin(*sensor);
     consolidation.setKeepSources(!mapping_.getClustering().getNoiseDriven());
     prepare(consolidation, 0, 0.3);
     consolidation.filter(result.vertices);
@@ -292,10 +299,27 @@ private:
     finish("triangulate");
   }
 
+  /** The up direction, if free space has to tell the sides of the surfaces.
+   * \param[in] vertices of the mesh */
+  std::optional<Eigen::Vector3d>
+  upWithoutSensors(const CloudRows& vertices) const
+  {
+    if (namesViews())
+      return std::nullopt;
+    if (file_.up)
+      return file_.up->cast<double>();
+    if (report_.consolidation && !report_.consolidation->sensors_fit &&
+        vertices.size() > 0)
+      return probableUpAxis(requirePoints(vertices), normalsOf(vertices));
+    return std::nullopt;
+  }
+
   template <typename DeWall>
   void
   runDeWall(DeWall& dewall, MappedPlanes& result)
   {
+    if (const auto up = upWithoutSensors(result.vertices))
+      dewall.setUpDirection(*up);
     if (dewall.getMaximumEdgeLength() == 0 && report_.consolidation)
       dewall.setMaximumEdgeLength(mesh_edge_in_voxels *
                                   report_.consolidation->voxel_size);
@@ -388,6 +412,7 @@ private:
     MappedPlanes result;
     result.sensor_origin = file_.sensor_origin;
     result.sensor_orientation = file_.sensor_orientation;
+    result.up = file_.up;
     return result;
   }
 

@@ -4,6 +4,7 @@
 #include <pcl/core/impl/parallel.h>
 #include <pcl/surface/impl/dewall_kernel.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -43,6 +44,8 @@
 #include "dewall/distinct_points.cpp"
 #include "dewall/facing.cpp"
 #include "dewall/fans.cpp"
+#include "dewall/flat_patches.cpp"
+#include "dewall/free_space.cpp"
 #include "dewall/front.cpp"
 #include "dewall/growing_mesh.cpp"
 #include "dewall/joined_parts.cpp"

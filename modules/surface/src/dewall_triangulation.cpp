@@ -36,12 +36,19 @@ DeWallParameters::setLeafSize(int points)
   leaf_size_ = points;
 }
 
+void
+DeWallParameters::setUpDirection(const Eigen::Vector3d& up)
+{
+  up_ = acmap::requiredDirection(up);
+}
+
 acmap::DeWallSettings
 DeWallParameters::kernelSettings() const
 {
   acmap::DeWallSettings settings;
   settings.rule = rule_;
   settings.maximum_edge_length = maximum_edge_length_;
+  settings.up = up_;
   settings.compute_wall_depth = compute_wall_depth_;
   settings.leaf_size = leaf_size_;
   settings.threads = threads_;

@@ -56,7 +56,8 @@ triangulateDeWall(const PointView& view,
                   DeWallReport& report)
 {
   static DeWallKernel& kernel = chooseKernel();
-  const bool with_facing = settings.is_single_view || settings.normals.size() > 0;
+  const bool with_facing =
+      settings.is_single_view || settings.normals.size() > 0 || settings.up;
   requireWithinLimit(estimateDeWallMemory(view.size(), with_facing, settings.rule),
                      settings.memory_limit);
   return withThreads(settings.threads,

@@ -46,9 +46,11 @@ seeingSensor(const SceneView& view, const std::vector<Eigen::Vector3f>& points)
 {
   // grabbers may write points in the camera frame together with a meaningless
   // orientation
+  if (!view.sensor_origin)
+    return {};
   for (const auto& orientation :
        {view.sensor_orientation, Eigen::Quaternionf(Eigen::Quaternionf::Identity())})
-    if (isSeenFrom(view.sensor_origin, orientation, points))
+    if (isSeenFrom(*view.sensor_origin, orientation, points))
       return orientation;
   return {};
 }
@@ -74,7 +76,7 @@ obliqueDirection(const SceneView& view,
                  const Vector3d& up)
 {
   if (seen_by_sensor) {
-    const Vector3d straight = focus - view.sensor_origin.cast<double>();
+    const Vector3d straight = focus - view.sensor_origin->cast<double>();
     return turned(straight.normalized(), up, sensor_yaw, sensor_pitch);
   }
   const Vector3d level = -(facing - facing.dot(up) * up);

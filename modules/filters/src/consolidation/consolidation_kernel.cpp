@@ -1,5 +1,6 @@
 #include "consolidation/candidates.h"
 #include "consolidation/point_hash.h"
+#include "consolidation/sensor_fit.h"
 #include "consolidation/sources.h"
 #include "consolidation/thinning.h"
 
@@ -136,40 +137,6 @@ private:
   LargeVector<Queued> flattest_;
 };
 
-/** \brief Are the sensor positions consistent with the surfaces? If more than 5 % of
- * the surface is seen edge-on, the sensor was not there: this happens for the origin if
- * a file has no pose. Returns false if no sensor is known. */
-bool
-fitTheirSensors(const LargeVector<Representative>& representatives,
-                const SensorView& sensors)
-{
-  if (!sensors.isKnown())
-    return false;
-  using Counts = std::pair<std::size_t, std::size_t>; // edge-on, all
-  const auto [edge_on, seen] = parallelReduceChunks(
-      representatives.size(),
-      Counts{0, 0},
-      [&](std::size_t begin, std::size_t end) {
-        Counts counts{0, 0};
-        for (std::size_t i = begin; i < end; ++i) {
-          const Representative& r = representatives[i];
-          const Eigen::Vector3f* sensor = sensors[static_cast<std::size_t>(r.witness)];
-          if (!sensor || std::isnan(r.normal.x()))
-            continue;
-          constexpr float grazing = 0.05f;
-          ++counts.second;
-          counts.first +=
-              std::abs(r.normal.dot((*sensor - r.point).normalized())) < grazing;
-        }
-        return counts;
-      },
-      [](Counts& sum, const Counts& next) {
-        sum.first += next.first;
-        sum.second += next.second;
-      });
-  return 20 * edge_on <= seen;
-}
-
 /** \brief Makes the signs of neighbouring normals consistent, from flat regions to
  * creases (after Hoppe et al., "Surface reconstruction from unorganized points", 1992).
  * A connected component keeps the side of the majority of its normals.
@@ -246,7 +213,7 @@ faceSensors(LargeVector<Representative>& representatives,
             double edge,
             ConsolidationReport& report)
 {
-  report.sensors_fit = fitTheirSensors(representatives, sensors);
+  report.sensors_fit = fitTheirSensors(representatives, sensors, edge);
   if (report.sensors_fit)
     return;
   makeNormalsAgree(representatives, edge);

@@ -12,15 +12,6 @@ requireMapPose(const Eigen::Isometry3d& T_map_camera)
         "a pose must be a rigid motion of at most 1e9 m along each axis");
 }
 
-Eigen::Vector3d
-requiredDirection(const Eigen::Vector3d& up)
-{
-  const double largest = up.cwiseAbs().maxCoeff();
-  if (!up.allFinite() || !(largest > 0))
-    throw BadArgumentException("the up direction must be finite and not zero");
-  return (up / largest).normalized();
-}
-
 Eigen::Quaterniond
 uprightRotation(const Eigen::Vector3d& up)
 {

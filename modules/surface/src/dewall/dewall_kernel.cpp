@@ -1,6 +1,7 @@
 #include "dewall_kernel.h"
 
 #include "facing.h"
+#include "flat_patches.h"
 #include "mesh_steps.h"
 #include "spacing.h"
 #include "triangle_builder.h"
@@ -93,6 +94,16 @@ listsOf(std::vector<Part>& parts, GrowingMesh& mesh, DeWallReport& report)
   return lists;
 }
 
+Facing
+facingOf(const PointTree& tree, const Spacing& spacing, const DeWallSettings& settings)
+{
+  if (settings.up)
+    return Facing::along(
+        freeSpaceNormals(tree, spacing, settings.normals, *settings.up));
+  return settings.is_single_view ? Facing::towards(tree, settings.sensor_origin)
+                                 : Facing::byNormals(tree, settings.normals);
+}
+
 /** \brief Maximum number of points of a half that is not divided. */
 std::int32_t
 leafSizeOf(const DeWallSettings& settings)
@@ -169,9 +180,7 @@ triangulate(const PointView& view,
   report.largest_maximum_edge = size.largest();
   timer.finish("spacing");
 
-  const Facing facing = settings.is_single_view
-                            ? Facing::towards(tree, settings.sensor_origin)
-                            : Facing::byNormals(tree, settings.normals);
+  const Facing facing = facingOf(tree, spacing, settings);
   Ticker ticker(progress, tree.size(), settings.rule);
   const std::function<void()> tick = [&] { ticker(); };
   TriangleMesh result =

@@ -6,13 +6,6 @@ namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
-Eigen::Vector3f
-usableNormal(const Eigen::Vector3f& normal)
-{
-  constexpr float tolerance = 0.1f;
-  return std::abs(normal.norm() - 1) < tolerance ? normal : Eigen::Vector3f::Zero();
-}
-
 /** Consecutive points in the tree are neighbours: nearly all of them have similar
  * directions, unless the signs of the normals are random. */
 bool
@@ -28,6 +21,13 @@ neighboursAgree(const LargeVector<Eigen::Vector3f>& directions)
 }
 
 } // namespace
+
+Eigen::Vector3f
+usableNormal(const Eigen::Vector3f& normal)
+{
+  constexpr float tolerance = 0.1f;
+  return std::abs(normal.norm() - 1) < tolerance ? normal : Eigen::Vector3f::Zero();
+}
 
 double
 areaFacing(const PointTree& tree,

@@ -8,6 +8,10 @@
 
 namespace pcl::acmap::ACMAP_DEWALL {
 
+/** \brief The normal, or zero if its length is not 1. */
+Eigen::Vector3f
+usableNormal(const Eigen::Vector3f& normal);
+
 /** \brief Area of a triangle projected towards the sensor; negative if its back faces
  * the sensor. */
 double
@@ -32,6 +36,15 @@ public:
    * if neighbours disagree. */
   static Facing
   byNormals(const PointTree& tree, const PointView& normals);
+
+  /** \brief The given directions, a unit vector for each point of the tree. */
+  static Facing
+  along(LargeVector<Eigen::Vector3f> directions)
+  {
+    Facing facing;
+    facing.directions_ = std::move(directions);
+    return facing;
+  }
 
   bool
   isKnown() const

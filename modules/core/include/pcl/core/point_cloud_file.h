@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,10 @@ struct PointCloudFile {
   /** \brief Sensor pose (VIEWPOINT of a PCD; identity for formats without a pose). */
   Eigen::Vector3f sensor_origin = Eigen::Vector3f::Zero();
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
+
+  /** \brief Up direction of the frame, of length 1, if nothing else is known of the sensor:
+   * formats of surveys have heights, but no pose (LAS: z). */
+  std::optional<Eigen::Vector3f> up;
 
   /** \brief Positions of the sensor that an int32 field `view` refers to, in the frame of
    * the cloud; empty if the file does not know them (known: E57). */
@@ -83,6 +88,13 @@ inline std::shared_ptr<const PCLPointCloud2>
 sharedCloud(const std::shared_ptr<const PointCloudFile>& file)
 {
   return {file, &file->cloud};
+}
+
+/** \brief Position of the sensor of a cloud; none if it is not known. */
+inline std::optional<Eigen::Vector3f>
+sensorOf(const PointCloudFile& file)
+{
+  return file.up ? std::nullopt : std::make_optional(file.sensor_origin);
 }
 
 /** \brief Reads a cloud and multiplies its lengths by a factor.

@@ -46,6 +46,13 @@ public:
     return !origins_.empty();
   }
 
+  /** \brief The one sensor that saw all points; nullptr if there is none, or several. */
+  const Eigen::Vector3f*
+  single() const
+  {
+    return first_ || origins_.empty() ? nullptr : origins_.data();
+  }
+
   /** \brief Position of the sensor that saw point \a i of the view; nullptr if unknown.
    */
   const Eigen::Vector3f*

@@ -64,6 +64,10 @@ struct MappedPlanes {
   Eigen::Vector3f sensor_origin = Eigen::Vector3f::Zero();
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
 
+  /** \brief Up direction of the input (\ref PointCloudFile::up); if it is set, the sensor is
+   * not known. */
+  std::optional<Eigen::Vector3f> up;
+
   /** \brief Columns, pipes and curved walls, in the order of decreasing area, if
    * \ref PlaneMapping::setComputeCylinders was called. The planes for which they stand
    * are not among the planes. */

@@ -10,6 +10,8 @@
 #include <pcl/surface/impl/dewall_kernel.h>
 #include <pcl/surface/reconstruction.h>
 
+#include <optional>
+
 namespace pcl {
 
 /** \brief Settings of \ref DeWallTriangulation, for clouds of points and of rows.
@@ -54,6 +56,31 @@ public:
     return leaf_size_;
   }
 
+  /** \brief Sets the up direction of a cloud whose sensor is not known, such as a survey
+   * from the air (default: none).
+   *
+   * The mesh is then oriented by the free space in front of its surfaces, instead of by the
+   * sensor or by normals: a ground faces up, the walls of a room face each other. It is
+   * found by rays from flat patches of the points to other points.
+   * \param[in] up of any length above 0, in the frame of the cloud
+   * \throws BadArgumentException if it is not finite or zero */
+  void
+  setUpDirection(const Eigen::Vector3d& up);
+
+  /** \brief Orients the mesh by the sensor or by normals again (default). */
+  void
+  resetUpDirection()
+  {
+    up_.reset();
+  }
+
+  /** \brief The up direction that was set, of length 1. */
+  const std::optional<Eigen::Vector3d>&
+  getUpDirection() const
+  {
+    return up_;
+  }
+
   /** \brief Requests the computation of \ref TriangleMesh::wall_depth (default
    * false). */
   void
@@ -93,6 +120,7 @@ private:
   DeWallRule rule_ = DeWallRule::Paper;
   double maximum_edge_length_ = 0;
   int leaf_size_ = 0;
+  std::optional<Eigen::Vector3d> up_;
   bool compute_wall_depth_ = false;
   std::size_t memory_limit_ = 0;
 };

@@ -30,8 +30,8 @@ struct SceneView {
   std::optional<Eigen::Vector3f> up;
 
   /** \brief Pose of the sensor (x right, y down, z forward): a scene in front of it is
-   * seen from beside it. */
-  Eigen::Vector3f sensor_origin = Eigen::Vector3f::Zero();
+   * seen from beside it. No position: the sensor is not known. */
+  std::optional<Eigen::Vector3f> sensor_origin = Eigen::Vector3f::Zero();
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
 
   /** \brief Draws boundary edges (edges with one triangle) as thin lines. */

@@ -47,4 +47,16 @@ requireViewpoints(const std::vector<Eigen::Vector3f>& viewpoints)
       requireInRange("viewpoint", coordinate, -1e9, 1e9, "m");
 }
 
+/** \brief Checks an up direction.
+ * \return the same of length 1
+ * \throws pcl::BadArgumentException if it is not finite or zero */
+inline Eigen::Vector3d
+requiredDirection(const Eigen::Vector3d& up)
+{
+  const double largest = up.cwiseAbs().maxCoeff();
+  if (!up.allFinite() || !(largest > 0))
+    throw BadArgumentException("the up direction must be finite and not zero");
+  return (up / largest).normalized();
+}
+
 } // namespace pcl::acmap

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/impl/point_view.h>
 
 #include <Eigen/Core>
 
@@ -47,5 +48,20 @@ refineUp(const std::vector<FacingArea>& facings,
  * level more accurately than surfaces can show. */
 ACMAP_EXPORT bool
 isLevel(const Eigen::Vector3d& up, const Eigen::Vector3d& axis);
+
+/** \brief The axis of a frame that probably points up: z if the extent along z is smaller
+ * than along y and the area of horizontal surfaces is larger with respect to z; otherwise
+ * -y, as in a camera frame.
+ * \param[in] spread variances along the axes
+ * \param[in] along area of the surfaces whose normals are along each axis */
+ACMAP_EXPORT Eigen::Vector3d
+probableUpAxis(const Eigen::Array3d& spread, const Eigen::Array3d& along);
+
+/** \brief The same for points with normals. At least one must be finite. */
+ACMAP_EXPORT Eigen::Vector3d
+probableUpAxis(const PointView& points, const PointView& normals);
+
+/** \brief Cosine between an axis and a normal along it. */
+constexpr double cosine_along_axis = 0.97;
 
 } // namespace pcl::acmap

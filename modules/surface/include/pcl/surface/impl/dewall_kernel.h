@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace pcl::acmap {
@@ -27,6 +28,9 @@ struct DeWallSettings {
   std::size_t memory_limit = 0; ///< bytes without the input; 0: no limit
   Eigen::Vector3d sensor_origin = Eigen::Vector3d::Zero();
   bool is_single_view = false; ///< all points were measured from there
+
+  /** Unit vector; if set, no sensor is known, and surfaces face their free space. */
+  std::optional<Eigen::Vector3d> up;
 
   /** Unit normals of the array under the points, towards the side from which they were
    * measured; empty: unknown. */
