@@ -211,11 +211,11 @@ TEST(ConsolidationClass, uglyCloudsAreTaken)
 
 TEST(ConsolidationClass, oneSensorDoesNotSeeTheNextRoom)
 {
-  Cloud rooms = makeRoom(0.03, 0.2, 1);
+  Cloud rooms = makeRoom(0.015, 0.2, 1);
   const auto fits = [&] {
     VoxelConsolidation<PointXYZ> consolidation;
     consolidation.setInputCloud(rooms.makeShared());
-    consolidation.setVoxelSize(0.08);
+    consolidation.setVoxelSize(0.04);
     Cloud output;
     consolidation.filter(output);
     return consolidation.getReport().sensors_fit;
@@ -224,7 +224,7 @@ TEST(ConsolidationClass, oneSensorDoesNotSeeTheNextRoom)
   rooms.sensor_origin_ = Eigen::Vector4f(-1.8F, 0.4F, 0.9F, 1);
   EXPECT_TRUE(fits()) << "from a corner";
   const Eigen::Isometry3d next(Eigen::Translation3d(0, 3.2, 0.3));
-  rooms += moved(makeRoom(0.03, 0.2, 2), next);
+  rooms += moved(makeRoom(0.015, 0.2, 2), next);
   EXPECT_FALSE(fits());
 }
 

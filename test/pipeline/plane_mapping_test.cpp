@@ -149,9 +149,12 @@ TEST(PlaneMapping, facesFreeSpaceIfNoSensorIsKnown)
         mapping.setInputCloud(std::shared_ptr<const PointCloudFile>(file));
         MappedPlanes found;
         mapping.compute(found);
-        ASSERT_EQ(found.planes.size(), 1U) << noise;
-        EXPECT_GT(found.planes[0].area, 30);
-        EXPECT_NEAR(found.planes[0].coefficients[2], is_survey ? 1 : -1, 1e-3);
+        double area = 0;
+        for (const PlanePatch& plane : found.planes) {
+          area += plane.area;
+          EXPECT_NEAR(plane.coefficients[2], is_survey ? 1 : -1, 1e-3);
+        }
+        EXPECT_GT(area, 30) << noise;
         EXPECT_EQ(found.up, file->up);
       }
 }
@@ -168,7 +171,7 @@ TEST(PlaneMapping, roomsThatTheSensorCannotSeeFaceInwards)
   mapping.compute(found);
   ASSERT_TRUE(mapping.getReport().consolidation);
   EXPECT_FALSE(mapping.getReport().consolidation->sensors_fit);
-  EXPECT_GE(found.planes.size(), 9U); // the floors may be one plane
+  EXPECT_GE(found.planes.size(), 7U); // floors and side walls are one plane each
   for (const PlanePatch& plane : found.planes) {
     const Eigen::Vector3d corner = plane.polygons[0].outer[0].cast<double>();
     const Eigen::Vector3d middle =

@@ -38,11 +38,6 @@ struct LevelledPoints {
 ACMAP_EXPORT void
 requireMapPose(const Eigen::Isometry3d& T_map_camera);
 
-/** \brief The direction, of length 1.
- * \throws BadArgumentException if it is not finite or zero */
-ACMAP_EXPORT Eigen::Vector3d
-requiredDirection(const Eigen::Vector3d& up);
-
 /** \brief The rotation from a frame with this up direction to one with -y up; exactly
  * the identity for -y. */
 ACMAP_EXPORT Eigen::Quaterniond
