@@ -37,7 +37,7 @@ public:
   static Facing
   byNormals(const PointTree& tree, const PointView& normals);
 
-  /** \brief The given directions, a unit vector for each point of the tree. */
+  /** \brief The given directions, a unit vector or zero for each point of the tree. */
   static Facing
   along(LargeVector<Eigen::Vector3f> directions)
   {

@@ -112,7 +112,7 @@ private:
   Eigen::Vector3f
   fitNormal(std::int32_t i) const
   {
-    constexpr int fewest = 5;
+    constexpr int min_neighbours = 5;
     constexpr double flat = 0.04, wide = 0.1; // squared, of the next extent
     int count = 0;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -124,7 +124,7 @@ private:
       squares += way * way.transpose();
       ++count;
     });
-    if (count < fewest)
+    if (count < min_neighbours)
       return Eigen::Vector3f::Zero();
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(squares - sum * sum.transpose() / count);
@@ -168,10 +168,10 @@ private:
   float
   sideOf(std::size_t patch, const FreeSpace& space)
   {
-    constexpr std::size_t smallest = 8, most_samples = 64;
+    constexpr std::size_t min_size = 8, max_samples = 64;
     const std::size_t begin = firsts_[patch], size = firsts_[patch + 1] - begin;
-    const std::size_t stride = (size + most_samples - 1) / most_samples;
-    if (size < smallest)
+    const std::size_t stride = (size + max_samples - 1) / max_samples;
+    if (size < min_size)
       return 0;
     int side = 0;
     for (std::size_t k = 0; k < size; k += stride) {

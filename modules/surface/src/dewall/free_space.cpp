@@ -105,9 +105,9 @@ FreeSpace::endsAtFloor(const Ray& ray) const
 FreeSpace::End
 FreeSpace::endOf(const Ray& ray) const
 {
-  constexpr int most_steps = 1024; // along a wall, steps are short
+  constexpr int max_steps = 1024; // along a wall, steps are short
   double along = ray.from;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const Eigen::Vector3d place = ray.origin + along * ray.direction;
     if (!box_.contains(place))
       break;
