@@ -190,10 +190,7 @@ consolidate(const Options& options,
   consolidation.setInputCloud(input.rows);
   consolidation.filter(input.rows);
   const pcl::ConsolidationReport& report = consolidation.getReport();
-  const bool names_views =
-      findField(input.rows.layout(), "view", pcl::PCLPointField::INT32);
-  if (!input.up && !names_views && !report.sensors_fit && input.rows.size() > 0)
-    input.up = probableUpAxis(input.points(), normalsOf(input.rows));
+  input.up = upWithoutSensors(input.rows, input.file.up, report.sensors_fit);
   log.warn(report.remarks);
   tellConsolidation(report, log);
   return report.voxel_size;
@@ -241,8 +238,7 @@ meshCloud(const Options& options, const RunControls& controls, StageLog& log)
   progress.tell(0, "reading");
   Input input;
   input.rows = loadCloudRows(options.input, controls.scale, input.file);
-  if (input.file.up)
-    input.up = input.file.up->cast<double>();
+  input.up = upWithoutSensors(input.rows, input.file.up, true);
   timer.finish("read");
   stopIfInterrupted();
 

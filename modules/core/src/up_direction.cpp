@@ -1,3 +1,4 @@
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/up_direction.h>
 
 #include <Eigen/Eigenvalues>
@@ -168,6 +169,20 @@ probableUpAxis(const PointView& points, const PointView& normals)
     ++count;
   }
   return probableUpAxis(squares / count - (sum / count).square(), along);
+}
+
+std::optional<Vector3d>
+upWithoutSensors(const CloudRows& cloud,
+                 const std::optional<Eigen::Vector3f>& up,
+                 bool sensors_fit)
+{
+  if (findField(cloud.layout(), "view", PCLPointField::INT32))
+    return std::nullopt;
+  if (up)
+    return up->cast<double>();
+  if (sensors_fit || cloud.size() == 0)
+    return std::nullopt;
+  return probableUpAxis(requirePoints(cloud), normalsOf(cloud));
 }
 
 } // namespace pcl::acmap

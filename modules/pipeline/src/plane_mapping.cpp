@@ -299,26 +299,13 @@ private:
     finish("triangulate");
   }
 
-  /** The up direction, if free space has to tell the sides of the surfaces.
-   * \param[in] vertices of the mesh */
-  std::optional<Eigen::Vector3d>
-  upWithoutSensors(const CloudRows& vertices) const
-  {
-    if (namesViews())
-      return std::nullopt;
-    if (file_.up)
-      return file_.up->cast<double>();
-    if (report_.consolidation && !report_.consolidation->sensors_fit &&
-        vertices.size() > 0)
-      return probableUpAxis(requirePoints(vertices), normalsOf(vertices));
-    return std::nullopt;
-  }
-
   template <typename DeWall>
   void
   runDeWall(DeWall& dewall, MappedPlanes& result)
   {
-    if (const auto up = upWithoutSensors(result.vertices))
+    const bool sensors_fit =
+        !report_.consolidation || report_.consolidation->sensors_fit;
+    if (const auto up = upWithoutSensors(result.vertices, file_.up, sensors_fit))
       dewall.setUpDirection(*up);
     if (dewall.getMaximumEdgeLength() == 0 && report_.consolidation)
       dewall.setMaximumEdgeLength(mesh_edge_in_voxels *

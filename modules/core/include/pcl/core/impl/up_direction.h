@@ -1,10 +1,12 @@
 #pragma once
 
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/export.h>
 #include <pcl/core/impl/point_view.h>
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace pcl::acmap {
@@ -60,6 +62,16 @@ probableUpAxis(const Eigen::Array3d& spread, const Eigen::Array3d& along);
 /** \brief The same for points with normals. At least one must be finite. */
 ACMAP_EXPORT Eigen::Vector3d
 probableUpAxis(const PointView& points, const PointView& normals);
+
+/** \brief The up direction by which free space tells the sides of the surfaces of a cloud; none
+ * if its sensors do.
+ * \param[in] cloud with normals, if its sensors do not fit; its field `view` names sensors
+ * \param[in] up of the file, if no sensor is known
+ * \param[in] sensors_fit can the surface have been seen from the sensor? */
+ACMAP_EXPORT std::optional<Eigen::Vector3d>
+upWithoutSensors(const CloudRows& cloud,
+                 const std::optional<Eigen::Vector3f>& up,
+                 bool sensors_fit);
 
 /** \brief Cosine between an axis and a normal along it. */
 constexpr double cosine_along_axis = 0.97;
