@@ -5,11 +5,11 @@
 #include "compact_mapping/recording.h"
 #include "compact_mapping/report_page.h"
 #include "compact_mapping/run_ranks.h"
+#include "drawn_apart.h"
 #include "live_window.h"
 #include "output_target.h"
 
 #include <pcl/pipeline/ranked_work.h>
-#include <pcl/visualization/display_connection.h>
 
 #include <algorithm>
 #include <chrono>
@@ -22,22 +22,6 @@ namespace {
 
 using namespace pcl::acmap;
 namespace fs = std::filesystem;
-
-/** \brief Connects to an X server for the pictures; returns null, with a warning, if
- * there is none. */
-std::unique_ptr<pcl::acmap::DisplayConnection>
-openDisplay(Tool& tool, const ChainOptions& options)
-{
-  if (!options.has_pictures)
-    return nullptr;
-  try {
-    return std::make_unique<DisplayConnection>();
-  }
-  catch (const pcl::InitFailedException&) {
-    tool.log().warn("no pictures: no X server answers; run the tool under xvfb-run -a");
-    return nullptr;
-  }
-}
 
 /** \brief Is a path the folder, or below it? */
 bool
@@ -85,7 +69,7 @@ run(Tool& tool, const ChainOptions& options)
   const StartingPoint start =
       startingPointOf(options.input, options.texture.skip_broken, recorded);
   requireSense(tool, options, start);
-  const std::unique_ptr<DisplayConnection> display = openDisplay(tool, options);
+  const PicturesApart pictures(options.has_pictures, tool.log());
   OutputFolder folder(options.output);
   tool.requireReportWritable(inputsOf(options));
   std::optional<pcl::SessionTruth> truth;
@@ -118,21 +102,20 @@ run(Tool& tool, const ChainOptions& options)
     return mapIsMadeOf(options, sequence, map_values, controls.scale, has_pictures);
   };
   const bool has_pictures =
-      display || chain.isFinished("map", madeOf(true), options.output);
+      pictures.canBeDrawn() || chain.isFinished("map", madeOf(true), options.output);
   chain.run(
       "map",
       madeOf(has_pictures),
       [&](StageLog& log) {
-        const bool draws = display != nullptr;
         return options.as_recorded
                    ? mapAsRecorded(options,
                                    chain.folderOf("replay"),
-                                   draws,
+                                   pictures,
                                    window.get(),
                                    folder,
                                    controls,
                                    log)
-                   : makeMap(options, chain, sequence, draws, folder, controls, log);
+                   : makeMap(options, chain, sequence, pictures, folder, controls, log);
       },
       options.output);
   std::optional<pcl::MapFigures> figures;

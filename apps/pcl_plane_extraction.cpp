@@ -1,4 +1,5 @@
 #include "cloud_labels.h"
+#include "drawn_apart.h"
 #include "length_check.h"
 #include "output_target.h"
 #include "plane_extraction/extraction.h"
@@ -8,7 +9,6 @@
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/point_cloud_writer.h>
-#include <pcl/visualization/display_connection.h>
 
 #include <CLI/CLI.hpp>
 
@@ -57,7 +57,7 @@ addOptions(Tool& tool, Options& options)
   add("--picture",
       options.picture,
       "OUT.png",
-      "Draw the mesh in colours by plane; needs an X server, as xvfb-run gives");
+      "Draw the mesh in colours by plane, if there is an X server, as xvfb-run gives");
   addPlaneChoices(tool, options);
   app.add_flag("--paper",
                options.paper,
@@ -115,7 +115,6 @@ writeOutputs(const Options& options,
     pcl::saveMapFile(place, map);
   });
   write(options.normals, [&](const std::string& place) { saveNormals(place, found); });
-  write(options.picture, [&](const std::string& place) { savePicture(place, found); });
   write(options.labels,
         [&](const std::string& place) { saveLabels(place, file, labelsOf(found)); });
   stopIfInterrupted();
@@ -125,9 +124,7 @@ writeOutputs(const Options& options,
 void
 run(const Options& options, const RunControls& controls, StageLog& log)
 {
-  std::optional<DisplayConnection> display;
-  if (!options.picture.empty())
-    display.emplace();
+  const PicturesApart pictures(!options.picture.empty(), log);
   StepTimer timer(log.report);
   const auto file = std::make_shared<pcl::PointCloudFile>(
       loadScaledCloud(options.input, controls.scale));
@@ -155,14 +152,19 @@ run(const Options& options, const RunControls& controls, StageLog& log)
   requirePlanes(options.input, found, log);
   StepTimer write_timer(log.report);
   writeOutputs(options, found, *file);
+  const bool is_drawn =
+      pictures.canBeDrawn() &&
+      pictures.draw([&] { savePicture(options.picture, found); }, log);
   write_timer.finish("write");
 
   tellPlanes(found, log);
   log.tellSeconds();
   log.details["input"] = options.input;
   log.details["output"] = options.output;
-  for (const std::string& path :
-       {options.output, options.labels, options.normals, options.picture})
+  for (const std::string& path : {options.output,
+                                  options.labels,
+                                  options.normals,
+                                  is_drawn ? options.picture : std::string()})
     if (!path.empty())
       log.tell("file", path);
 }

@@ -15,7 +15,7 @@ if(NOT ACMAP_MODULES)
 endif()
 acmap_if_chosen(needs_x11 acquisition visualization)
 if(needs_x11)
-  find_package(X11 REQUIRED COMPONENTS Xrandr)
+  find_package(X11 REQUIRED COMPONENTS Xrandr xcb)
 endif()
 
 # liblzf comes without a package file.

@@ -166,6 +166,7 @@ public:
     interactor_->SetRenderWindow(window_);
     interactor_->Initialize();
     window_->Render();
+    DisplayConnection::surviveLossOf(window_->GetGenericDisplayId());
   }
 
   /** \brief Sets the images of a frame; the next \ref update draws them. */
@@ -229,11 +230,11 @@ public:
     is_new_ = false;
   }
 
-  /** \brief Has the user closed it? */
+  /** \brief Has the user closed it, or did the X server go away? */
   bool
   isClosed() const
   {
-    return interactor_->GetDone();
+    return interactor_->GetDone() || !connection_.isOpen();
   }
 
 private:

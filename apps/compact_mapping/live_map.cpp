@@ -3,6 +3,7 @@
 #include "active_stereo/shot_source.h"
 #include "active_stereo/stereo_observation.h"
 #include "chain.h"
+#include "drawn_apart.h"
 #include "live_window.h"
 #include "memory.h"
 
@@ -168,7 +169,7 @@ LiveMap::tellLateness(double recorded, StageLog& log) const
 }
 
 std::vector<std::string>
-LiveMap::finish(bool draws,
+LiveMap::finish(const PicturesApart& pictures,
                 OutputFolder& folder,
                 const RunControls& controls,
                 StageLog& log)
@@ -204,7 +205,7 @@ LiveMap::finish(bool draws,
   if (const Trajectory& before = mapping_.getOdometryTrajectory();
       !before.poses.empty())
     saveTrajectory(folder.path("trajectory_before.txt"), before);
-  std::vector<std::string> names = writeMap(options_, mapped, draws, folder, log);
+  std::vector<std::string> names = writeMap(options_, mapped, pictures, folder, log);
   keep();
   const double after = secondsSince(last_shot);
   tellLateness(recorded, log);
@@ -212,7 +213,7 @@ LiveMap::finish(bool draws,
   log.details["seconds_after_last_shot"] = after;
   log.tell("map",
            shortNumber(after) + " s after the last shot" +
-               (draws ? ", with pictures" : ""));
+               (pictures.canBeDrawn() ? ", with pictures" : ""));
   return names;
 }
 
@@ -272,7 +273,7 @@ replay(ShotSource& source, const RunControls& controls, LiveMap& map, StageLog& 
 std::vector<std::string>
 mapAsRecorded(const ChainOptions& options,
               const std::string& observations,
-              bool draws,
+              const PicturesApart& pictures,
               LiveWindow* window,
               OutputFolder& folder,
               const RunControls& controls,
@@ -283,7 +284,7 @@ mapAsRecorded(const ChainOptions& options,
   ShotSource source(stereo, controls.threads, ReplayPace::AsRecorded);
   LiveMap map(options, source.rig(), observations, controls.threads, window);
   replay(source, controls, map, log);
-  std::vector<std::string> names = map.finish(draws, folder, controls, log);
+  std::vector<std::string> names = map.finish(pictures, folder, controls, log);
   warnOfFindings(log, source.remarks());
   return names;
 }

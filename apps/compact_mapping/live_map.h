@@ -88,7 +88,10 @@ public:
    * \return names of the files
    * \throws NothingFound when there is no plane */
   std::vector<std::string>
-  finish(bool draws, OutputFolder& folder, const RunControls& controls, StageLog& log);
+  finish(const PicturesApart& pictures,
+         OutputFolder& folder,
+         const RunControls& controls,
+         StageLog& log);
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -148,7 +151,7 @@ requireAllObservations(const nlohmann::ordered_json& details,
 std::vector<std::string>
 mapAsRecorded(const ChainOptions& options,
               const std::string& observations,
-              bool draws,
+              const PicturesApart& pictures,
               LiveWindow* window,
               OutputFolder& folder,
               const RunControls& controls,

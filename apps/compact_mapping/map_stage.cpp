@@ -1,6 +1,7 @@
 #include "map_stage.h"
 
 #include "cloud_labels.h"
+#include "drawn_apart.h"
 #include "length_check.h"
 #include "memory.h"
 
@@ -34,25 +35,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** \brief Draws pictures/mesh.png, planes.png, outside.png, inside.png and
- * floor_plan.png.
+constexpr const char* mesh_picture = "mesh.png";
+constexpr const char* planes_picture = "planes.png";
+constexpr std::pair<const char*, MapView::Place> map_pictures[] = {
+    {"outside.png", MapView::Place::Outside},
+    {"inside.png", MapView::Place::Inside},
+    {"floor_plan.png", MapView::Place::Plan}};
+
+/** \brief Names of the pictures that VTK draws, relative to the folder of the map. */
+std::vector<std::string>
+namesOfPictures()
+{
+  std::vector<std::string> names = {pictureName(mesh_picture),
+                                    pictureName(planes_picture)};
+  for (const auto& [name, from] : map_pictures)
+    names.push_back(pictureName(name));
+  return names;
+}
+
+/** \brief Draws them.
  * \throws OutputFileException when one could not be written */
 void
-savePictures(const OutputFolder& folder,
+savePictures(const std::string& folder,
              const MappedPlanes& found,
              const CompactMap& map)
 {
-  const UnlimitedMemory while_drawing;
-  fs::create_directories(folder.path(pictureName("")));
-  const auto place = [&](const char* name) { return folder.path(pictureName(name)); };
+  const auto place = [&](const char* name) { return folder + "/" + pictureName(name); };
   saveSnapshot(
-      place("mesh.png"), found.vertices.copy(), found.mesh, sceneViewOf(found));
-  savePicture(place("planes.png"), found);
-  const std::pair<const char*, MapView::Place> places[] = {
-      {"outside.png", MapView::Place::Outside},
-      {"inside.png", MapView::Place::Inside},
-      {"floor_plan.png", MapView::Place::Plan}};
-  for (const auto& [name, from] : places) {
+      place(mesh_picture), found.vertices.copy(), found.mesh, sceneViewOf(found));
+  savePicture(place(planes_picture), found);
+  for (const auto& [name, from] : map_pictures) {
     MapView map_view;
     map_view.place = from;
     saveMapSnapshot(place(name), map, map_view);
@@ -206,17 +218,36 @@ takeAlong(const Chain& chain, const OutputFolder& folder)
     copy(name, pictureName(name));
 }
 
-/** \brief Draws the pictures. A failure is reported as a warning, and the map is
- * kept. */
-void
-drawPictures(const OutputFolder& folder, const Mapped& mapped, StageLog& log)
+/** \brief Draws the pictures of a map that is on the disk already.
+ * \return the names of those that are there
+ * \throws InterruptedPartway after an interruption */
+std::vector<std::string>
+drawPictures(const std::string& folder,
+             const PicturesApart& pictures,
+             const Mapped& mapped,
+             StageLog& log)
 {
-  try {
-    savePictures(folder, mapped.found, mapped.map);
-  }
-  catch (const InitFailedException& error) {
-    log.warn("not all pictures could be drawn: " + std::string(error.what()));
-  }
+  pictures.draw([&] { savePictures(folder, mapped.found, mapped.map); }, log);
+  std::vector<std::string> names = namesOfPictures();
+  const auto is_missing = [&](const std::string& name) {
+    std::error_code error;
+    return !fs::exists(fs::path(folder) / name, error);
+  };
+  names.erase(std::remove_if(names.begin(), names.end(), is_missing), names.end());
+  return names;
+}
+
+/** \brief Removes the pictures of an earlier map, and makes the folder for new ones. */
+void
+prepareForPictures(const std::string& folder)
+{
+  std::error_code error;
+  for (const std::string& name : namesOfPictures())
+    fs::remove(fs::path(folder) / name, error);
+  const fs::path pictures = fs::path(folder) / pictureName("");
+  fs::create_directories(pictures, error);
+  if (error)
+    throw OutputFileException(pictures.string() + ": " + error.message());
 }
 
 /** \brief The poses before the rectification, if there was one. */
@@ -354,7 +385,7 @@ mergingOf(const ChainOptions& options, unsigned threads)
 std::vector<std::string>
 writeMap(const ChainOptions& options,
          Mapped& mapped,
-         bool draws,
+         const PicturesApart& pictures,
          OutputFolder& folder,
          StageLog& log)
 {
@@ -370,13 +401,16 @@ writeMap(const ChainOptions& options,
     else
       saveFloorPlan(folder.path("floor_plan." + format), plan);
   saveNormals(folder.path("mesh.ply"), mapped.found);
-  timer.finish("write map");
-  if (draws)
-    drawPictures(folder, mapped, log);
-  timer.finish("pictures");
   stopIfInterrupted();
   std::vector<std::string> names = filesOf(folder);
   folder.commit();
+  timer.finish("write map");
+  if (pictures.canBeDrawn()) {
+    prepareForPictures(options.output);
+    for (std::string& name : drawPictures(options.output, pictures, mapped, log))
+      names.push_back(std::move(name));
+  }
+  timer.finish("pictures");
   tellMap(options, mapped, log);
   return names;
 }
@@ -385,7 +419,7 @@ std::vector<std::string>
 makeMap(const ChainOptions& options,
         const Chain& chain,
         const Sequence& sequence,
-        bool draws,
+        const PicturesApart& pictures,
         OutputFolder& folder,
         const RunControls& controls,
         StageLog& log)
@@ -399,7 +433,7 @@ makeMap(const ChainOptions& options,
   stopIfInterrupted();
   if (sequence.is_rectified)
     takeAlong(chain, folder);
-  return writeMap(options, mapped, draws, folder, log);
+  return writeMap(options, mapped, pictures, folder, log);
 }
 
 } // namespace pcl::acmap

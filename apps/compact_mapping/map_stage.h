@@ -10,6 +10,8 @@
 
 namespace pcl::acmap {
 
+class PicturesApart;
+
 /** \brief Minimum tilt that is reported, in degrees. */
 inline constexpr double min_tilt_told = 2;
 
@@ -24,13 +26,15 @@ struct Mapped {
 ObservationMerging
 mergingOf(const ChainOptions& options, unsigned threads);
 
-/** \brief Writes a map with its floor plan, its mesh and its pictures, and reports it.
- * \param[in,out] folder is committed
- * \return names of the files */
+/** \brief Writes a map with its floor plan and its mesh, then draws its pictures, and
+ * reports it.
+ * \param[in,out] folder is committed before the first picture is drawn
+ * \return names of the files
+ * \throws InterruptedPartway after an interruption while pictures were drawn */
 std::vector<std::string>
 writeMap(const ChainOptions& options,
          Mapped& mapped,
-         bool draws,
+         const PicturesApart& pictures,
          OutputFolder& folder,
          StageLog& log);
 
@@ -45,7 +49,7 @@ std::vector<std::string>
 makeMap(const ChainOptions& options,
         const Chain& chain,
         const Sequence& sequence,
-        bool draws,
+        const PicturesApart& pictures,
         OutputFolder& folder,
         const RunControls& controls,
         StageLog& log);

@@ -1,5 +1,6 @@
 #include "active_stereo/stereo_observation.h"
 #include "compact_mapping/live_map.h"
+#include "drawn_apart.h"
 #include "frame_queue.h"
 #include "grabber_options.h"
 #include "live_window.h"
@@ -386,7 +387,7 @@ public:
       clouds_->folder->commit();
     if (map_) {
       map_->is_finishing = true;
-      map_->map->finish(false, map_->folder, controls, log_);
+      map_->map->finish(PicturesApart(false, log_), map_->folder, controls, log_);
       map_->is_finished = true;
       requireAllObservations(log_.details, map_->settings.output);
     }
@@ -508,7 +509,7 @@ private:
       else
         map_->map->keepProcessed(failure.line, log_);
       try {
-        map_->map->finish(false, map_->folder, controls, log_);
+        map_->map->finish(PicturesApart(false, log_), map_->folder, controls, log_);
         return "; " + partialMapText(map_->map->observations(), map_->settings.output);
       }
       catch (const std::exception&) {

@@ -475,7 +475,6 @@ sceneViewOf(const MappedPlanes& found)
 void
 savePicture(const std::string& path, const MappedPlanes& found)
 {
-  const UnlimitedMemory while_drawing;
   saveSnapshot(
       path,
       coloredByLabel(withLabels(found.vertices.copy(), labelsOfVertices(found))),

@@ -10,7 +10,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <atomic>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 namespace pcl::acmap::test {
 namespace {
@@ -83,6 +87,9 @@ TEST(CompactMapping, TellsHowCompactItIs)
   EXPECT_EQ(report.at("observations"), 4);
 }
 
+constexpr std::array pictures = {
+    "mesh.png", "planes.png", "outside.png", "inside.png", "floor_plan.png"};
+
 TEST(CompactMapping, PicturesNeedAnXServer)
 {
   const VirtualDisplay& display = VirtualDisplay::shared();
@@ -95,16 +102,43 @@ TEST(CompactMapping, PicturesNeedAnXServer)
   const ToolRun run = runMapping({corridor().session, "-o", map}, seeing);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "");
-  const auto names = {
-      "mesh.png", "planes.png", "outside.png", "inside.png", "floor_plan.png"};
-  for (const char* name : names)
+  for (const char* name : pictures)
     EXPECT_EQ(contentOf(map + "/pictures/" + name).substr(0, 4), "\x89PNG") << name;
   const ToolRun without = runMapping(
       {corridor().session, "-o", folder.path("m2"), "--no-pictures"}, seeing);
   EXPECT_EQ(without.exit_code, 0);
   EXPECT_EQ(without.err, "");
-  for (const char* name : names)
+  for (const char* name : pictures)
     EXPECT_FALSE(fs::exists(folder.path("m2/pictures/") + name)) << name;
+}
+
+TEST(CompactMapping, AnXServerThatEndsCostsThePicturesOnly)
+{
+  VirtualDisplay display("1280x960x24");
+  if (!display.exists())
+    GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
+  const TemporaryFolder folder;
+  const std::string map = folder.path("map");
+  RunSettings seeing;
+  seeing.environment = {{"DISPLAY", std::string(std::getenv("DISPLAY"))}};
+  std::atomic<bool> has_ended = false;
+  std::thread server([&] {
+    // the map is there before the first picture is drawn
+    while (!has_ended && !fs::exists(map + "/map.json"))
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    display.stop();
+  });
+  const ToolRun run = runMapping({corridor().session, "-o", map}, seeing);
+  has_ended = true;
+  server.join();
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("not all pictures could be drawn"));
+  EXPECT_THAT(run.out, HasSubstr("compactness"));
+  EXPECT_GT(loadCompactMap(map).planes.size(), 3u);
+  for (const char* name : pictures) // none is broken
+    if (const std::string path = map + "/pictures/" + name; fs::exists(path)) {
+      EXPECT_EQ(contentOf(path).substr(0, 4), "\x89PNG");
+    }
 }
 
 TEST(CompactMapping, OneColouredCloudDoes)

@@ -3,6 +3,7 @@
 #include <pcl/exceptions.h>
 
 #include <X11/Xlib.h>
+#include <xcb/xcb.h>
 
 #include <cstdlib>
 #include <string>
@@ -20,15 +21,34 @@ DisplayConnection::DisplayConnection()
   const char* const name = std::getenv("DISPLAY");
   if (!name || !*name)
     throw InitFailedException(std::string("no display: DISPLAY is not set") + advice);
-  display_ = XOpenDisplay(name);
-  if (!display_)
-    throw InitFailedException("no display: the X server " + std::string(name) +
-                              " does not answer" + advice);
+  connection_ = xcb_connect(name, nullptr);
+  if (isOpen())
+    return;
+  xcb_disconnect(connection_);
+  throw InitFailedException("no display: the X server " + std::string(name) +
+                            " does not answer" + advice);
 }
 
 DisplayConnection::~DisplayConnection()
 {
-  XCloseDisplay(static_cast<Display*>(display_));
+  xcb_disconnect(connection_);
+}
+
+bool
+DisplayConnection::isOpen() const
+{
+  if (xcb_connection_has_error(connection_))
+    return false;
+  // the end of a connection is noticed when something is read from it
+  std::free(xcb_poll_for_event(connection_));
+  return !xcb_connection_has_error(connection_);
+}
+
+void
+DisplayConnection::surviveLossOf(void* display)
+{
+  XSetIOErrorExitHandler(
+      static_cast<Display*>(display), [](Display*, void*) {}, nullptr);
 }
 
 } // namespace pcl::acmap
