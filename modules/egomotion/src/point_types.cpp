@@ -5,13 +5,6 @@
 #include <pcl/egomotion/impl/transformation_estimation_planar.hpp>
 #include <pcl/egomotion/impl/visual_egomotion.hpp>
 
-// PCL provides no search trees for PointXYZRGBSigma, but the base classes call them.
-#include <pcl/kdtree/impl/kdtree_flann.hpp>
-#include <pcl/search/impl/kdtree.hpp>
-#include <pcl/search/impl/organized.hpp>
-#include <pcl/search/impl/search.hpp>
-
-template class ACMAP_EXPORT pcl::search::KdTree<pcl::PointXYZRGBSigma>;
 template class pcl::Keypoint<pcl::PointXYZRGBSigma, pcl::PointXYZRGBSigma>;
 
 PCL_INSTANTIATE(CorrespondenceEstimationLogPolar, ACMAP_VIEW_POINT_TYPES)

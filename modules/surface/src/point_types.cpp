@@ -2,10 +2,6 @@
 #include <pcl/surface/impl/dewall_triangulation.hpp>
 
 // for MeshConstruction of our point types, see the header
-#include <pcl/kdtree/impl/kdtree_flann.hpp>
-#include <pcl/search/impl/kdtree.hpp>
-#include <pcl/search/impl/organized.hpp>
-#include <pcl/search/impl/search.hpp>
 #include <pcl/surface/impl/reconstruction.hpp>
 
 template class pcl::MeshConstruction<pcl::PointXYZRGBNormalView>;

@@ -1,5 +1,6 @@
 #include "facing_table.h"
 
+#include <pcl/core/impl/rigid_alignment.h>
 #include <pcl/mapping/impl/levelling_kernel.h>
 
 #include <algorithm>
@@ -229,7 +230,7 @@ levelMap(const Surfaces& observations,
   if (report.up == report.axis)
     return Eigen::Quaterniond::Identity();
   report.tilt = tilt;
-  return Eigen::Quaterniond::FromTwoVectors(report.up, report.axis);
+  return smallestRotation(report.up, report.axis);
 }
 
 } // namespace pcl::acmap

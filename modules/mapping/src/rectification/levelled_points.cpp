@@ -1,3 +1,4 @@
+#include <pcl/core/impl/rigid_alignment.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/mapping/impl/rectification_kernel.h>
 
@@ -17,7 +18,7 @@ uprightRotation(const Eigen::Vector3d& up)
 {
   const Eigen::Vector3d expected = -Eigen::Vector3d::UnitY();
   return up == expected ? Eigen::Quaterniond::Identity()
-                        : Eigen::Quaterniond::FromTwoVectors(up, expected);
+                        : smallestRotation(up, expected);
 }
 
 Eigen::Isometry3d

@@ -1,5 +1,6 @@
 #include "export/map_writers.h"
 
+#include <pcl/core/impl/rigid_alignment.h>
 #include <pcl/core/map_up.h>
 #include <pcl/core/output_file.h>
 
@@ -121,7 +122,7 @@ turnToYUp(const CompactMap& map)
   const Eigen::Vector3d up = upAxis(map), y = Eigen::Vector3d::UnitY();
   if (up == -y) // rotate about x, so that z points towards the viewer
     return Eigen::Vector3d(1, -1, -1).asDiagonal();
-  return Eigen::Quaterniond::FromTwoVectors(up, y).toRotationMatrix().array().round();
+  return smallestRotation(up, y).toRotationMatrix().array().round();
 }
 
 void

@@ -2,6 +2,7 @@
 
 #include <pcl/core/exceptions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -50,8 +51,11 @@ public:
   putAll(const Value* values, std::size_t count)
   {
     static_assert(std::is_trivially_copyable_v<Value>);
-    const auto* const first = reinterpret_cast<const std::uint8_t*>(values);
-    bytes_.insert(bytes_.end(), first, first + count * sizeof(Value));
+    const std::size_t begin = bytes_.size();
+    bytes_.resize(begin + count * sizeof(Value));
+    std::copy_n(reinterpret_cast<const std::uint8_t*>(values),
+                count * sizeof(Value),
+                bytes_.begin() + static_cast<std::ptrdiff_t>(begin));
   }
 
   void

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <pcl/core/export.h>
+
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/SVD>
 
 namespace pcl::acmap {
 
@@ -18,21 +18,13 @@ namespace pcl::acmap {
 template <int Dimension>
 Eigen::Matrix<double, Dimension, Dimension>
 alignmentRotation(const Eigen::Matrix<double, Dimension, Dimension>& cross,
-                  double undetermined = 0)
-{
-  static_assert(Dimension == 2 || Dimension == 3);
-  using Square = Eigen::Matrix<double, Dimension, Dimension>;
-  const Eigen::JacobiSVD<Square> svd(cross, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Square u = svd.matrixU();
-  const Square& v = svd.matrixV();
-  if (svd.singularValues()[0] <= undetermined)
-    return Square::Identity();
-  if constexpr (Dimension == 3)
-    if (svd.singularValues()[1] <= undetermined)
-      return Eigen::Quaterniond::FromTwoVectors(v.col(0), u.col(0)).toRotationMatrix();
-  if (u.determinant() * v.determinant() < 0)
-    u.col(Dimension - 1) *= -1;
-  return u * v.transpose();
-}
+                  double undetermined = 0);
+
+/** \brief The smallest rotation that turns one direction into another.
+ *
+ * Eigen's own takes seconds of compilation in each source that calls it.
+ * \param[in] from, to need not be unit vectors \ingroup core */
+ACMAP_EXPORT Eigen::Quaterniond
+smallestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 } // namespace pcl::acmap
