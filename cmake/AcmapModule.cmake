@@ -25,6 +25,8 @@ function(acmap_add_module name)
                 PRIVATE ${arg_PRIVATE_LIBRARIES})
   endforeach()
   target_include_directories(acmap_${name}_objects PUBLIC src)
+  acmap_define_as_pcl_io(acmap_${name}_objects)
+  acmap_use_module_headers(acmap_${name}_objects)
   target_link_libraries(acmap_${name} PRIVATE acmap_${name}_objects)
   set_target_properties(
     acmap_${name} PROPERTIES EXPORT_NAME ${name} VERSION ${PROJECT_VERSION}
@@ -33,6 +35,24 @@ function(acmap_add_module name)
   acmap_refuse_header_clash()
   acmap_install_module(${name})
   acmap_declare_module(${name})
+endfunction()
+
+# acmap_use_module_headers (<target>): the large headers that most sources of modules include
+# are parsed once.
+function(acmap_use_module_headers target)
+  if(NOT TARGET acmap_module_headers)
+    file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/module_headers.cpp" CONTENT "")
+    add_library(acmap_module_headers OBJECT "${PROJECT_BINARY_DIR}/module_headers.cpp")
+    target_compile_features(acmap_module_headers PRIVATE cxx_std_17)
+    target_link_libraries(acmap_module_headers PRIVATE pcl_common Eigen3::Eigen TBB::tbb)
+    acmap_define_as_pcl_io(acmap_module_headers)
+    target_precompile_headers(
+      acmap_module_headers PRIVATE <pcl/PCLPointCloud2.h> <pcl/point_cloud.h> <pcl/point_types.h>
+      <Eigen/Cholesky> <Eigen/Eigenvalues> <Eigen/Geometry> <Eigen/LU>
+      <oneapi/tbb/parallel_for.h> <algorithm> <array> <cmath> <filesystem> <functional> <map>
+      <memory> <mutex> <optional> <set> <sstream> <string> <vector>)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM acmap_module_headers)
 endfunction()
 
 # Refuses a public header that PCL has too: which one a user gets would be chance.

@@ -17,6 +17,9 @@ function(acmap_add_tool_part name)
   acmap_use_tool_headers(${name})
 endfunction()
 
+# Tools parse options and write JSON; what takes time is in the modules.
+set(acmap_tool_options $<$<CONFIG:Release>:-O1>)
+
 # acmap_use_tool_headers (<target>): the large headers that most tools include are parsed
 # once. A precompiled header is of one kind, therefore all define what PCL's headers look at,
 # and programs are compiled as parts of libraries are.
@@ -26,14 +29,14 @@ function(acmap_use_tool_headers target)
     add_library(acmap_tool_headers STATIC "${PROJECT_BINARY_DIR}/tool_headers.cpp")
     target_link_libraries(acmap_tool_headers PRIVATE acmap::core CLI11::CLI11
                                                      nlohmann_json::nlohmann_json)
-    target_compile_options(acmap_tool_headers PRIVATE -fPIC)
+    target_compile_options(acmap_tool_headers PRIVATE -fPIC ${acmap_tool_options})
     acmap_define_as_pcl_io(acmap_tool_headers)
     target_precompile_headers(
       acmap_tool_headers PRIVATE <CLI/CLI.hpp> <nlohmann/json.hpp> <pcl/PCLPointCloud2.h>
       <pcl/point_cloud.h> <pcl/point_types.h> <Eigen/Geometry> <algorithm> <filesystem>
       <functional> <map> <optional> <string> <vector>)
   endif()
-  target_compile_options(${target} PRIVATE -fPIC)
+  target_compile_options(${target} PRIVATE -fPIC ${acmap_tool_options})
   acmap_define_as_pcl_io(${target})
   target_precompile_headers(${target} REUSE_FROM acmap_tool_headers)
 endfunction()

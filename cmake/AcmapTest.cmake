@@ -2,10 +2,11 @@
 #                 [OPTIMIZED] [PRODUCT_CASES <filter>] [THREAD_CASES <filter>])
 #
 # One GoogleTest program, one ctest entry; a program that skips every test it has counts as
-# skipped. Target tests_<label> builds all programs of a label. CI runs each test once
-# (test/README.md): those of tools, pictures and real data as users get them (label product),
-# the others under AddressSanitizer (label sanitized), but for those of USB threads, which
-# run under ThreadSanitizer (label threads), and those with label long not at all.
+# skipped. Each test also has the label of its folder of test/. Target tests_<label> builds
+# all programs of a label, tests_<label>_<folder> those of a folder. Which test runs where is
+# told in test/README.md: those of tools, pictures and real data as users get them (label
+# product), the others under AddressSanitizer (label sanitized), but for those of USB threads,
+# which run under ThreadSanitizer (label threads), and those with label long not at all.
 #
 # PRODUCT_CASES are those of a sanitized program that compute much with kernels which its
 # other cases run, too: they run as users get them, in test <name>_product. THREAD_CASES are
@@ -53,11 +54,15 @@ function(acmap_add_cases program name filter)
   if(filter)
     list(APPEND environment "GTEST_FILTER=${filter}")
   endif()
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}/test"
+             OUTPUT_VARIABLE folder)
+  string(REGEX REPLACE "/.*" "" folder "${folder}")
   add_test(NAME ${name} COMMAND ${program}_test)
-  set_tests_properties(${name} PROPERTIES LABELS "${ARGN}" ENVIRONMENT "${environment}"
+  set_tests_properties(${name} PROPERTIES LABELS "${ARGN};${folder}" ENVIRONMENT "${environment}"
                                           SKIP_RETURN_CODE 77)
   foreach(label IN LISTS ARGN)
     acmap_join(tests_${label} ${program}_test)
+    acmap_join(tests_${label}_${folder} ${program}_test)
   endforeach()
 endfunction()
 
@@ -112,6 +117,7 @@ function(acmap_add_fuzzer name)
     add_test(NAME ${name} COMMAND ${name} ${seeds})
     set_tests_properties(${name} PROPERTIES LABELS "fuzz;sanitized")
     acmap_join(tests_sanitized ${name})
+    acmap_join(tests_sanitized_fuzz ${name})
   endif()
 endfunction()
 

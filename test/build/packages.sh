@@ -15,13 +15,11 @@ release=$(. /etc/os-release && echo "$VERSION_CODENAME")
 work=$source/build/bare
 root=$work/root
 
-say() {
-  printf '\n== %s\n' "$*"
-}
+. "$source/test/build/bare_system.sh"
 
-# Runs the script on stdin inside the minimal Debian, with its own process namespace: no
-# process outlives it. The script can use: get PACKAGE..., never COMMAND...
-inside() {
+# with_helpers: the script on stdin inside the bare system can use: get PACKAGE..., never
+# COMMAND...
+with_helpers() {
   {
     cat <<'END'
 get() {
@@ -36,27 +34,7 @@ never() {
 }
 END
     cat
-  } | unshare --mount --pid --fork --mount-proc="$root/proc" chroot "$root" \
-    env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive \
-    sh -eu
-}
-
-# Creates the minimal Debian once and keeps it.
-make_root() {
-  mkdir -p "$work"
-  if [ ! -e "$work/$release.tar" ]; then
-    debootstrap --variant=minbase "$release" "$work/new"
-    tar -C "$work/new" -cf "$work/new.tar" .
-    mv "$work/new.tar" "$work/$release.tar"
-    rm -rf "$work/new"
-  fi
-  rm -rf "$root"
-  mkdir "$root"
-  tar -C "$root" -xf "$work/$release.tar"
-  cp /etc/resolv.conf "$root/etc/resolv.conf"
-  mkdir "$root/try"
-  cp "$packages"/*.deb "$source/test/consumer" "$source/test/consumer_mpi" "$source/share/examples" \
-    "$root/try" -r
+  } | inside
 }
 
 # list_files FILE: existing files, except those of the kernel and of this test.
@@ -68,7 +46,7 @@ list_files() {
 # Acts as a user who only needs the tools.
 use_tools() {
   say "libraries and tools"
-  inside <<'END'
+  with_helpers <<'END'
 apt-get -q update
 get /try/libacmap[0-9]*.deb /try/acmap-tools_*.deb
 for tool in $(dpkg -L acmap-tools | grep ^/usr/bin/); do
@@ -92,7 +70,7 @@ END
 # Acts as a programmer: builds an outside project, and each example.
 use_headers() {
   say "headers"
-  inside <<'END'
+  with_helpers <<'END'
 get /try/libacmap-dev_*.deb g++ cmake make
 readelf -d /usr/bin/pcl_* /usr/lib/*/libacmap_* >/try/dynamic.txt
 never grep -E 'RPATH|RUNPATH' /try/dynamic.txt
@@ -109,7 +87,7 @@ END
 use_module() {
   [ -e "$(echo "$packages"/python3-acmap_*.deb)" ] || return 0
   say "Python module"
-  inside <<'END'
+  with_helpers <<'END'
 get /try/python3-acmap_*.deb
 python3 -c 'import acmap; print(acmap.__file__)'
 END
@@ -118,7 +96,7 @@ END
 # purge: removes our packages and their dependencies, then lists what remains of them.
 purge() {
   say "purge"
-  inside <<'END'
+  with_helpers <<'END'
 ours=$(dpkg-query -W -f '${Package}\n' | grep acmap)
 for package in $ours; do
   dpkg -L "$package"
@@ -140,6 +118,9 @@ END
 }
 
 make_root
+mkdir "$root/try"
+cp "$packages"/*.deb "$source/test/consumer" "$source/test/consumer_mpi" "$source/share/examples" \
+  "$root/try" -r
 list_files "$work/before.txt"
 use_tools
 use_headers
