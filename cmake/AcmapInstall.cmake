@@ -37,6 +37,9 @@ function(acmap_install_package)
     INSTALL_DESTINATION ${ACMAP_INSTALL_CMAKEDIR} NO_SET_AND_CHECK_MACRO)
   write_basic_package_version_file("${PROJECT_BINARY_DIR}/acmapConfigVersion.cmake"
                                    COMPATIBILITY SameMinorVersion)
+  # where ROS looks for packages
+  install(FILES "${PROJECT_SOURCE_DIR}/package.xml"
+          DESTINATION "${CMAKE_INSTALL_DATADIR}/acmap" COMPONENT dev)
   install(FILES "${PROJECT_BINARY_DIR}/acmapConfig.cmake"
                 "${PROJECT_BINARY_DIR}/acmapConfigVersion.cmake"
                 "${PROJECT_BINARY_DIR}/acmapModules.cmake" cmake/AcmapFindPCL.cmake
