@@ -208,12 +208,14 @@ LiveMap::finish(const PicturesApart& pictures,
   std::vector<std::string> names = writeMap(options_, mapped, pictures, folder, log);
   keep();
   const double after = secondsSince(last_shot);
+  const bool is_drawn =
+      std::find(names.begin(), names.end(), pictureName("outside.png")) != names.end();
   tellLateness(recorded, log);
   log.details["observations"] = observations();
   log.details["seconds_after_last_shot"] = after;
   log.tell("map",
            shortNumber(after) + " s after the last shot" +
-               (pictures.canBeDrawn() ? ", with pictures" : ""));
+               (is_drawn ? ", with pictures" : ""));
   return names;
 }
 

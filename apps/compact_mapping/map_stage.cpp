@@ -234,6 +234,8 @@ drawPictures(const std::string& folder,
     return !fs::exists(fs::path(folder) / name, error);
   };
   names.erase(std::remove_if(names.begin(), names.end(), is_missing), names.end());
+  std::error_code error;
+  fs::remove(fs::path(folder) / pictureName(""), error); // if it is empty
   return names;
 }
 

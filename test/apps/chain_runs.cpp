@@ -92,7 +92,7 @@ runChain(const std::string& input,
          const std::vector<std::string>& options,
          RunSettings settings)
 {
-  settings.environment.emplace_back("DISPLAY", std::nullopt);
+  settings.environment.emplace(settings.environment.begin(), "DISPLAY", std::nullopt);
   std::vector<std::string> arguments = {input, "-o", output, "--no-pictures"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   return runTool(ACMAP_COMPACT_MAPPING, arguments, settings);

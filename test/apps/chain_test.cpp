@@ -1,13 +1,17 @@
 #include "chain_runs.h"
 #include "plane_runs.h"
+#include "virtual_display.h"
 
 #include <pcl/core/trajectory.h>
 #include <pcl/io/pcd_io.h>
 
 #include <gmock/gmock.h>
 
+#include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <set>
+#include <thread>
 
 namespace pcl::acmap::test {
 namespace {
@@ -136,6 +140,28 @@ TEST_F(ChainTest, AFaultOnTheWayEndsWithAMapOfWhatWasSeenBefore)
   EXPECT_THAT(run.err, HasSubstr("the map of the 2 observations by then is in " + out));
   EXPECT_TRUE(fs::exists(out + "/map.glb"));
   EXPECT_FALSE(fs::exists(out + "/stages/replay"));
+}
+
+TEST_F(ChainTest, AnXServerThatEndsCostsTheLiveWindowOnly)
+{
+  VirtualDisplay display("1280x960x24");
+  if (!display.exists())
+    GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
+  const std::string out = folder_.path("seen");
+  RunSettings seeing;
+  seeing.environment = {{"DISPLAY", std::string(std::getenv("DISPLAY"))}};
+  std::atomic<bool> has_ended = false;
+  std::thread server([&] {
+    while (!has_ended && !fs::exists(out + "/stages/replay/observation_0000.pcd"))
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    display.stop();
+  });
+  const ToolRun run =
+      runSessionChain(session_, out, {"--as-recorded", "--live"}, seeing);
+  has_ended = true;
+  server.join();
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(contentOf(out + "/map.glb"), contentOf(map_ + "/map.glb"));
 }
 
 TEST_F(ChainTest, OnlySessionsAreReplayed)
