@@ -47,6 +47,8 @@ DisplayConnection::isOpen() const
 void
 DisplayConnection::surviveLossOf(void* display)
 {
+  // both the usual handler and what is called after it end the process
+  XSetIOErrorHandler([](Display*) { return 0; });
   XSetIOErrorExitHandler(
       static_cast<Display*>(display), [](Display*, void*) {}, nullptr);
 }
