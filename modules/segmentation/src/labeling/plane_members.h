@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/progress.h>
+#include <pcl/core/scratch_memory.h>
 
 #include <oneapi/tbb/parallel_for.h>
 
