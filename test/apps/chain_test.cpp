@@ -7,11 +7,8 @@
 
 #include <gmock/gmock.h>
 
-#include <atomic>
-#include <chrono>
 #include <filesystem>
 #include <set>
-#include <thread>
 
 namespace pcl::acmap::test {
 namespace {
@@ -150,16 +147,11 @@ TEST_F(ChainTest, AnXServerThatEndsCostsTheLiveWindowOnly)
   const std::string out = folder_.path("seen");
   RunSettings seeing;
   seeing.environment = {{"DISPLAY", std::string(std::getenv("DISPLAY"))}};
-  std::atomic<bool> has_ended = false;
-  std::thread server([&] {
-    while (!has_ended && !fs::exists(out + "/stages/replay/observation_0000.pcd"))
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    display.stop();
-  });
-  const ToolRun run =
-      runSessionChain(session_, out, {"--as-recorded", "--live"}, seeing);
-  has_ended = true;
-  server.join();
+  ToolRun run;
+  {
+    const StopAtFile stop(display, out + "/stages/replay/observation_0000.pcd");
+    run = runSessionChain(session_, out, {"--as-recorded", "--live"}, seeing);
+  }
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(contentOf(out + "/map.glb") == contentOf(map_ + "/map.glb"));
 }

@@ -11,10 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <atomic>
-#include <chrono>
 #include <filesystem>
-#include <thread>
 
 namespace pcl::acmap::test {
 namespace {
@@ -121,16 +118,12 @@ TEST(CompactMapping, AnXServerThatEndsCostsThePicturesOnly)
   const std::string map = folder.path("map");
   RunSettings seeing;
   seeing.environment = {{"DISPLAY", std::string(std::getenv("DISPLAY"))}};
-  std::atomic<bool> has_ended = false;
-  std::thread server([&] {
+  ToolRun run;
+  {
     // the map is there before the first picture is drawn
-    while (!has_ended && !fs::exists(map + "/map.json"))
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    display.stop();
-  });
-  const ToolRun run = runMapping({corridor().session, "-o", map}, seeing);
-  has_ended = true;
-  server.join();
+    const StopAtFile stop(display, map + "/map.json");
+    run = runMapping({corridor().session, "-o", map}, seeing);
+  }
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("not all pictures could be drawn"));
   EXPECT_THAT(run.out, HasSubstr("compactness"));

@@ -5,8 +5,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 
 namespace pcl::acmap::test {
 namespace {
@@ -105,6 +107,20 @@ VirtualDisplay::stop()
   waitpid(server_, nullptr, 0);
   server_ = -1;
   exists_ = false;
+}
+
+StopAtFile::StopAtFile(VirtualDisplay& display, const std::string& path)
+: thread_([this, &display, path] {
+  while (!is_over_ && !std::filesystem::exists(path))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  display.stop();
+})
+{}
+
+StopAtFile::~StopAtFile()
+{
+  is_over_ = true;
+  thread_.join();
 }
 
 } // namespace pcl::acmap::test

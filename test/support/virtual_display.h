@@ -2,7 +2,9 @@
 
 #include <sys/types.h>
 
+#include <atomic>
 #include <string>
+#include <thread>
 
 namespace pcl::acmap::test {
 
@@ -44,6 +46,18 @@ private:
   bool exists_ = false;
   pid_t server_ = -1;
   std::string display_before_;
+};
+
+/** \brief Ends the server of a display once a file exists, or with its own lifetime. */
+class StopAtFile {
+public:
+  StopAtFile(VirtualDisplay& display, const std::string& path);
+
+  ~StopAtFile();
+
+private:
+  std::atomic<bool> is_over_ = false;
+  std::thread thread_; // uses all other members
 };
 
 } // namespace pcl::acmap::test
