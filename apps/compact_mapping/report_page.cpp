@@ -30,22 +30,22 @@ const Json nothing;
 /** \param[in] path of a field in objects and lists, such as "truth/compactness"
  * \return null if there is no such field */
 const Json&
-fieldOf(const Json& json, const std::string& path)
+fieldOf(const Json& json, std::string_view path)
 {
-  const Json::json_pointer pointer("/" + path);
+  const Json::json_pointer pointer("/" + std::string(path));
   return json.contains(pointer) ? json.at(pointer) : nothing;
 }
 
 /** A field that is a list, otherwise null. */
 const Json&
-listOf(const Json& json, const std::string& path)
+listOf(const Json& json, std::string_view path)
 {
   const Json& list = fieldOf(json, path);
   return list.is_array() ? list : nothing;
 }
 
 std::string
-textOf(const Json& json, const std::string& path)
+textOf(const Json& json, std::string_view path)
 {
   const Json& text = fieldOf(json, path);
   return text.is_string() ? text.get<std::string>() : std::string();
@@ -187,15 +187,15 @@ filled(std::string_view page, const Json& values)
     const std::string mark(takeUntil("}}"));
     std::smatch words;
     std::regex_match(mark, words, place);
-    const std::string kind = words[1];
-    const Json& value = fieldOf(values, words[2]);
+    const std::string kind = words[1], name = words[2];
+    const Json& value = fieldOf(values, name);
     if (kind.empty()) {
       html += escaped(shown(value, words[3]));
       continue;
     }
     const std::string_view section = takeUntil("{{/" + mark.substr(1) + "}}");
     if (kind == "each") {
-      for (const Json& entry : listOf(values, words[2]))
+      for (const Json& entry : listOf(values, name))
         html += filled(section, entry);
       continue;
     }
