@@ -24,7 +24,7 @@
 namespace pcl::acmap {
 namespace {
 
-/** \brief What is known of a drawing process that has ended. */
+/** \brief Result of a drawing process. */
 struct Ended {
   int code = -1;    ///< its exit code; -1 if a signal ended it
   std::string said; ///< first line of its standard error
