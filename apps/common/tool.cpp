@@ -98,6 +98,26 @@ printableLength(const std::string& text, std::size_t at)
   return is_control ? 0 : length;
 }
 
+/** \brief The same help with every version of CLI11: 2.4 writes defaults in brackets. */
+class HelpFormatter : public CLI::Formatter {
+public:
+  HelpFormatter()
+  {
+    column_width(34);
+  }
+
+  std::string
+  make_option_opts(const CLI::Option* option) const override
+  {
+    std::string told = CLI::Formatter::make_option_opts(option);
+    const std::string bracketed = " [" + option->get_default_str() + "] ";
+    const std::size_t at = told.find(bracketed);
+    if (at != std::string::npos)
+      told.replace(at, bracketed.size(), "=" + option->get_default_str());
+    return told;
+  }
+};
+
 constexpr const char* exit_code_text =
     "Exit codes: 0 done, 1 failed, 2 usage, 3 input unreadable or malformed, 4 nothing "
     "found,\n5 output could not be written, 6 not enough memory, 130 interrupted.\n"
@@ -124,7 +144,7 @@ Tool::Tool(std::string name, const std::string& purpose)
   app_->set_help_flag("-h,--help", "Print this help and stop");
   app_->set_version_flag("--version", name_ + " (acmap) " ACMAP_VERSION);
   app_->get_option("--version")->description("Print the version and stop");
-  app_->get_formatter()->column_width(34);
+  app_->formatter(std::make_shared<HelpFormatter>());
   app_->footer(exit_code_text);
   app_->add_option("--report", report_path_, "Write counts, seconds and remarks there")
       ->type_name("FILE.json")
