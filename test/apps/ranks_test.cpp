@@ -57,7 +57,8 @@ protected:
     settings.environment = {{"DISPLAY", std::nullopt},
                             {"OMPI_ALLOW_RUN_AS_ROOT", "1"},
                             {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
-                            // which containers forbid, with a message
+                            // which containers forbid or have not, with a message
+                            {"OMPI_MCA_btl", "^tcp"},
                             {"OMPI_MCA_btl_vader_single_copy_mechanism", "none"}};
     if (!other.empty()) // a busy machine may need seconds to clean up after a fault
       settings.environment.emplace_back("OMPI_MCA_odls_base_sigkill_timeout", "10");

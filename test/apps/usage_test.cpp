@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace pcl::acmap::test {
 namespace {
 
@@ -41,6 +44,27 @@ TEST_P(Usage, NonsenseIsRefusedInOneLine)
 INSTANTIATE_TEST_SUITE_P(Tools,
                          Usage,
                          testing::Values(runSurface, runViewer, runPlanes));
+
+/** No option, unit or default changes unnoticed. If ACMAP_REFRESH_FINGERPRINTS is set,
+ * stores the help instead of comparing. */
+TEST(StoredHelp, IsThatOfEachTool)
+{
+  namespace fs = std::filesystem;
+  std::size_t tools = 0;
+  for (const auto& entry : fs::directory_iterator(ACMAP_TOOL_SOURCES)) {
+    const std::string name = entry.path().stem().string();
+    const std::string program = std::string(ACMAP_BIN) + "/" + name;
+    if (entry.path().extension() != ".cpp" || !fs::exists(program))
+      continue;
+    ++tools;
+    const std::string help = runTool(program, {"--help"}).out;
+    const std::string path = std::string(ACMAP_STORED_HELP) + "/" + name + ".txt";
+    if (std::getenv("ACMAP_REFRESH_FINGERPRINTS"))
+      std::ofstream(path) << help;
+    EXPECT_EQ(help, contentOf(path)) << name;
+  }
+  EXPECT_GT(tools, 3U);
+}
 
 TEST(SurfaceUsage, ValuesOutOfRangeAreRefusedBeforeAnyWork)
 {

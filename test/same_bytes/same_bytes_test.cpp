@@ -1,3 +1,4 @@
+#include "file_keys.h"
 #include "fingerprint.h"
 #include "repetitions.h"
 #include "stage_runs.h"
@@ -56,29 +57,35 @@ differingNames(const Files& a, const Files& b)
 }
 
 nlohmann::json
-storedFingerprints()
+stored(const char* path)
 {
-  std::ifstream file(ACMAP_FINGERPRINTS);
+  std::ifstream file(path);
   return file ? nlohmann::json::parse(file) : nlohmann::json::object();
 }
 
-/** Writes one summary per line, so that changes are visible as changed lines. */
-void
-store(const nlohmann::json& fingerprints)
+/** \return true if ACMAP_REFRESH_FINGERPRINTS asks to store instead of comparing */
+bool
+refreshIfAsked(const char* path, const std::string& stage, const nlohmann::json& found)
 {
-  std::ofstream file(ACMAP_FINGERPRINTS);
+  if (!std::getenv("ACMAP_REFRESH_FINGERPRINTS"))
+    return false;
+  auto all = stored(path);
+  all[stage] = found;
+  // one line each, so that changes are visible as changed lines
+  std::ofstream file(path);
   const char* before_stage = "{\n";
-  for (const auto& [stage, summaries] : fingerprints.items()) {
-    file << before_stage << nlohmann::json(stage) << ": {";
+  for (const auto& [name, summaries] : all.items()) {
+    file << before_stage << nlohmann::json(name) << ": {";
     const char* before = "\n  ";
-    for (const auto& [name, summary] : summaries.items()) {
-      file << before << nlohmann::json(name) << ": " << summary;
+    for (const auto& [key, summary] : summaries.items()) {
+      file << before << nlohmann::json(key) << ": " << summary;
       before = ",\n  ";
     }
     file << "\n}";
     before_stage = ",\n";
   }
   file << "\n}\n";
+  return true;
 }
 
 /** Created once for all tests. */
@@ -117,20 +124,28 @@ TEST_P(SameBytes, WhateverThreadsAndInstructions)
 
 class StoredNumbers : public testing::TestWithParam<Stage> {};
 
-/** If ACMAP_REFRESH_FINGERPRINTS is set, stores the fingerprints instead of
- * comparing. */
 TEST_P(StoredNumbers, AreThoseOfTheFiles)
 {
   const Stage& stage = GetParam();
   runs().firstOf(stage);
   const auto found = fingerprintOf(numbersIn(runs().folderOf(stage)));
-  auto stored = storedFingerprints();
-  if (std::getenv("ACMAP_REFRESH_FINGERPRINTS")) {
-    stored[stage.name] = found;
-    store(stored);
-  }
-  EXPECT_THAT(differencesOf(found, stored.value(stage.name, nlohmann::json::object())),
-              IsEmpty());
+  if (refreshIfAsked(ACMAP_FINGERPRINTS, stage.name, found))
+    return;
+  const auto wanted =
+      stored(ACMAP_FINGERPRINTS).value(stage.name, nlohmann::json::object());
+  EXPECT_THAT(differencesOf(found, wanted), IsEmpty());
+}
+
+/** What programs of others read: no key of a report, a map or a stage may go unnoticed. */
+TEST_P(StoredNumbers, HaveTheKeysOfTheFiles)
+{
+  const Stage& stage = GetParam();
+  runs().firstOf(stage);
+  const nlohmann::json found = keysIn(runs().folderOf(stage));
+  if (refreshIfAsked(ACMAP_KEYS, stage.name, found))
+    return;
+  const auto changes = nlohmann::json::diff(stored(ACMAP_KEYS)[stage.name], found);
+  EXPECT_TRUE(changes.empty()) << changes.dump(1);
 }
 
 std::string
@@ -147,13 +162,13 @@ INSTANTIATE_TEST_SUITE_P(Tools,
 
 TEST(StoredFingerprints, AreOfTheStagesThatThereAre)
 {
-  std::vector<std::string> wanted, stored;
+  std::vector<std::string> wanted, found;
   for (const Stage& stage : stagesWithFingerprints())
     wanted.push_back(stage.name);
-  const auto fingerprints = storedFingerprints();
+  const auto fingerprints = stored(ACMAP_FINGERPRINTS);
   for (const auto& item : fingerprints.items())
-    stored.push_back(item.key());
-  EXPECT_THAT(stored, UnorderedElementsAreArray(wanted));
+    found.push_back(item.key());
+  EXPECT_THAT(found, UnorderedElementsAreArray(wanted));
 }
 
 TEST(Comparable, ReportsWithoutWhatChanges)

@@ -81,6 +81,8 @@ readHeader(PngReading& reading)
   // skip profiles, texts and gamma, which do not change the stored values
   png_set_keep_unknown_chunks(reading.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
   png_set_benign_errors(reading.png, 0);
+  // libpng 1.6.48 only warns of a damaged end
+  png_set_crc_action(reading.png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
   png_read_info(reading.png, reading.info);
   return true;
 }
