@@ -19,6 +19,7 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <set>
 #include <sstream>
 
 namespace pcl::acmap {
@@ -98,7 +99,8 @@ printableLength(const std::string& text, std::size_t at)
   return is_control ? 0 : length;
 }
 
-/** \brief The same help with every version of CLI11: 2.4 writes defaults in brackets. */
+/** \brief The same help in every run and with every version of CLI11, which lists options
+ * by their addresses, and whose defaults differ from 2.4 on. */
 class HelpFormatter : public CLI::Formatter {
 public:
   HelpFormatter()
@@ -109,11 +111,36 @@ public:
   std::string
   make_option_opts(const CLI::Option* option) const override
   {
-    std::string told = CLI::Formatter::make_option_opts(option);
-    const std::string bracketed = " [" + option->get_default_str() + "] ";
-    const std::size_t at = told.find(bracketed);
-    if (at != std::string::npos)
-      told.replace(at, bracketed.size(), "=" + option->get_default_str());
+    return (option->get_type_size() == 0 ? "" : value(*option)) +
+           others(" Needs:", option->get_needs()) +
+           others(" Excludes:", option->get_excludes());
+  }
+
+private:
+  static std::string
+  value(const CLI::Option& option)
+  {
+    std::string told;
+    if (!option.get_type_name().empty())
+      told += " " + option.get_type_name();
+    if (!option.get_default_str().empty())
+      told += "=" + option.get_default_str();
+    if (option.get_expected_max() == CLI::detail::expected_max_vector_size)
+      told += " ...";
+    else if (option.get_expected_min() > 1)
+      told += " x " + std::to_string(option.get_expected());
+    return told + (option.get_required() ? " REQUIRED" : "");
+  }
+
+  static std::string
+  others(const std::string& heading, const std::set<CLI::Option*>& options)
+  {
+    std::set<std::string> names;
+    for (const CLI::Option* option : options)
+      names.insert(" " + option->get_name());
+    std::string told = names.empty() ? "" : heading;
+    for (const std::string& name : names)
+      told += name;
     return told;
   }
 };

@@ -4,6 +4,7 @@
 #include "run_tool.h"
 
 #include <pcl/core/image_file.h>
+#include <pcl/core/rig_calibration.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,7 @@ void
 writeBoards(const std::string& folder)
 {
   fs::create_directory(folder);
+  saveRigCalibration(folder + "/rig.yaml", {}, builtRig());
   const std::vector<TrinocularFrame> shots = boardShots(builtRig(), board_shots);
   for (std::size_t i = 0; i < shots.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -31,7 +33,9 @@ writeBoards(const std::string& folder)
 bool
 isRowOfSeconds(const nlohmann::json& value)
 {
-  return value.is_array() && value.size() == 2 && value[0] == "seconds";
+  return value.is_array() && value.size() == 2 && value[1].is_string() &&
+         (value[0] == "seconds" || value[1].get<std::string>().find(
+                                       " s after the last shot") != std::string::npos);
 }
 
 void

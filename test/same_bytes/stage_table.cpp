@@ -21,7 +21,7 @@ calibrationArguments()
 }
 
 /** Uses all images as shots of one place: the result is meaningless, but everything is
- * computed. */
+ * computed. The rig is the true one: another version of OpenCV calibrates another last bit. */
 Arguments
 rectifyingArguments()
 {
@@ -33,7 +33,7 @@ rectifyingArguments()
           "--vertical",
           "<boards/" + images[2],
           "--rig",
-          "<rig_calibration/rig.yaml",
+          "<boards/rig.yaml",
           "--rectify",
           "--active",
           "--min-depth",
