@@ -29,13 +29,16 @@ writeBoards(const std::string& folder)
     }
 }
 
-/** Is it a row of a report page's summary (name and text) that shows times? */
+/** Is it a row of a summary (name and text) that tells times, as a replay's pace? */
 bool
 isRowOfSeconds(const nlohmann::json& value)
 {
-  return value.is_array() && value.size() == 2 && value[1].is_string() &&
-         (value[0] == "seconds" || value[1].get<std::string>().find(
-                                       " s after the last shot") != std::string::npos);
+  if (!value.is_array() || value.size() != 2 || !value[1].is_string())
+    return false;
+  const auto text = value[1].get<std::string>();
+  return value[0] == "seconds" ||
+         text.find(" s after the last shot") != std::string::npos ||
+         text.find("the mapping lagged by") != std::string::npos;
 }
 
 void
