@@ -31,15 +31,6 @@ addRemarks(const Report& step, Report& report)
   report.remarks.insert(report.remarks.end(), step.remarks.begin(), step.remarks.end());
 }
 
-bool
-isDefault(const OdometryNoise& noise)
-{
-  const OdometryNoise usual;
-  return noise.length == usual.length &&
-         noise.length_per_metre == usual.length_per_metre && noise.turn == usual.turn &&
-         noise.turn_per_radian == usual.turn_per_radian;
-}
-
 /** A pose as it is read from a trajectory file, bit by bit, so that the map has the same
  * bytes whether steps pass poses in memory or in files. */
 Eigen::Isometry3d
@@ -520,7 +511,7 @@ CompactMapping::makeMap(CompactMap& map)
     timer.finish("extension");
   }
   odometry_noise_ = rectification_.getOdometryNoise();
-  if (estimated_.noise && isDefault(odometry_noise_))
+  if (estimated_.noise && !rectification_.hasOdometryNoise())
     odometry_noise_ = *estimated_.noise;
   if (rectify_ && sequence.size() > 1) {
     sequence = goOnFrom("rectification", sequence, &CompactMapping::rectify, report);

@@ -173,6 +173,13 @@ public:
     return settings_.odometry;
   }
 
+  /** \brief Was it set, and not only left as it is by default? */
+  bool
+  hasOdometryNoise() const
+  {
+    return has_odometry_noise_;
+  }
+
   /** \brief Sets the up direction of the map (default -y): poses are translated
    * perpendicularly to it and rotated about it.
    * \param[in] up in the map frame, of any length above 0
@@ -222,6 +229,7 @@ public:
 
 private:
   acmap::RectificationSettings settings_;
+  bool has_odometry_noise_ = false; ///< was it set?
   Eigen::Vector3d up_ = -Eigen::Vector3d::UnitY();
   std::vector<PointCloudConstPtr> clouds_;
   std::vector<std::vector<float>> weights_;

@@ -336,8 +336,8 @@ public:
     return levelling_;
   }
 
-  /** \brief Sets how the map is rectified. If its odometry noise is the default one,
-   * that of estimated poses is used. Its input are the consolidated points of each
+  /** \brief Sets how the map is rectified. If its odometry noise was not set, that of
+   * estimated poses is used. Its input are the consolidated points of each
    * observation, in \ref RectificationMode::Paper the raw ones. */
   void
   setRectification(const Rectification& rectification)

@@ -106,6 +106,7 @@ EntropyRectification<PointT>::setOdometryNoise(const OdometryNoise& noise)
 {
   acmap::requireOdometryNoise(noise);
   settings_.odometry = noise;
+  has_odometry_noise_ = true;
 }
 
 template <typename PointT>
