@@ -111,10 +111,25 @@ Chain::run(const std::string& name,
     folder.abandon();
     throw;
   }
+  forgetWhatWasTold(told);
   std::vector<std::string> removed =
       results.empty() ? folder.finish(told) : folder.finish(told, results);
   stages_.push_back({name, std::move(told), false, std::move(removed)});
   return stages_.back().told;
+}
+
+/** A broken observation is told once, by the stage that reads it first. */
+void
+Chain::forgetWhatWasTold(StageLog& log) const
+{
+  std::vector<std::string>& remarks = log.report.remarks;
+  const auto is_told = [&](const std::string& remark) {
+    return std::any_of(stages_.begin(), stages_.end(), [&](const RunStage& stage) {
+      const std::vector<std::string>& told = stage.told.report.remarks;
+      return std::find(told.begin(), told.end(), remark) != told.end();
+    });
+  };
+  remarks.erase(std::remove_if(remarks.begin(), remarks.end(), is_told), remarks.end());
 }
 
 void
@@ -217,24 +232,24 @@ Chain::extend(const ObservationSequence& posed)
 {
   const ObservationSequence earlier = openMappedObservations(options_.earlier);
   const ObservationSequence joined = earlier.followedBy(posed);
-  return runPoses("extension",
-                  {{"observations", joined.fingerprint()}},
-                  joined,
-                  [&](StageLog& log) {
-                    StepTimer timer(log.report);
-                    SequenceAlignment alignment;
-                    alignment.setInputTarget(earlier);
-                    alignment.setMotionModel(options_.egomotion.is_rigid
-                                                 ? MotionModel::Rigid
-                                                 : MotionModel::Planar);
-                    alignment.setNumberOfThreads(controls_.threads);
-                    alignment.setProgressCallback(controls_.progress);
-                    EstimatedPoses poses =
-                        extendedPoses(joined, earlier.size(), alignment, poses_.noise);
-                    tellExtension(alignment.getReport(), log);
-                    timer.finish("align");
-                    return poses;
-                  });
+  return runPoses(
+      "extension",
+      {{"observations", joined.fingerprint()}, {"motion", values_(motion_group)}},
+      joined,
+      [&](StageLog& log) {
+        StepTimer timer(log.report);
+        SequenceAlignment alignment;
+        alignment.setInputTarget(earlier);
+        alignment.setMotionModel(options_.egomotion.is_rigid ? MotionModel::Rigid
+                                                             : MotionModel::Planar);
+        alignment.setNumberOfThreads(controls_.threads);
+        alignment.setProgressCallback(controls_.progress);
+        EstimatedPoses poses =
+            extendedPoses(joined, earlier.size(), alignment, poses_.noise);
+        tellExtension(alignment.getReport(), log);
+        timer.finish("align");
+        return poses;
+      });
 }
 
 ObservationSequence
@@ -249,6 +264,7 @@ Chain::rectify(const std::string& observations,
   rectification.write_map = false;
   rectification.skip_broken = options_.texture.skip_broken;
   rectification.odometry = noise;
+  rectification.has_odometry_noise = true;
   if (!posed.shift().isZero(0) && !rectification.up)
     rectification.up = Eigen::Vector3d::UnitZ(); // of a surveyed grid
   return runPoses("rectification",

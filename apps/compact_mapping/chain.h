@@ -87,6 +87,9 @@ private:
   void
   addState(nlohmann::ordered_json& made_of) const;
 
+  void
+  forgetWhatWasTold(StageLog& log) const;
+
   /** \param[in] last what the interrupted stage has finished; may be empty */
   [[noreturn]] void
   throwInterrupted(std::string last) const;

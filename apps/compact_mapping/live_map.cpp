@@ -177,6 +177,7 @@ LiveMap::finish(const PicturesApart& pictures,
   const Clock::time_point last_shot = Clock::now();
   const double recorded = begin_ ? secondsSince(*begin_) : 0;
   mapping_.setScratchFolder(folder.path(""), residentScratch());
+  mapping_.setCostCallback(costCheck(controls));
   mapping_.setProgressCallback([&](double done, const std::string& step) {
     show();
     return !controls.progress || controls.progress(0.5 + done / 2, step);

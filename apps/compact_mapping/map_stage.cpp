@@ -163,6 +163,7 @@ mapSequence(const ChainOptions& options,
     tellRanks(work->ranks(), log);
   result.map.up = sequence.up.value_or(Eigen::Vector3d::Zero());
   result.map.shift = sequence.posed->shift();
+  setRooms(makeFloorPlan(result.map), result.map);
   saveTrajectory(folder.path(trajectory_name), result.map.trajectory);
   saveObservationList((fs::path(options.output) / observation_list_name).string(),
                       options.output,
@@ -197,6 +198,7 @@ mapCloud(const ChainOptions& options, const RunControls& controls, StageLog& log
     result.map.up = up->normalized();
   else if (file->up)
     result.map.up = file->up->cast<double>();
+  setRooms(makeFloorPlan(result.map), result.map);
   paint_timer.finish("paint");
   return result;
 }
@@ -213,7 +215,10 @@ takeAlong(const Chain& chain, const OutputFolder& folder)
     if (error)
       throw OutputFileException(folder.name() + "/" + to + ": " + error.message());
   };
-  copy("trajectory_before.txt", "trajectory_before.txt");
+  // once more through memory, as a replay has it: the last bits of a rotation may change
+  constexpr const char* before = "trajectory_before.txt";
+  saveTrajectory(folder.path(before),
+                 loadTrajectory(chain.folderOf("rectification") + "/" + before));
   for (const char* name : {"plan.png", "energy.png"})
     copy(name, pictureName(name));
 }
@@ -376,8 +381,7 @@ ObservationMerging
 mergingOf(const ChainOptions& options, unsigned threads)
 {
   ObservationMerging merging;
-  merging.setDepthSensor(options.planes.isInSpace() ? DepthSensor::Laser
-                                                    : options.planes.sensor);
+  merging.setDepthSensor(mappingOf(options.planes, threads).getUsedDepthSensor());
   merging.setSkipBroken(options.texture.skip_broken);
   merging.setMaximumPoints(options.max_points);
   merging.setNumberOfThreads(threads);
@@ -393,7 +397,6 @@ writeMap(const ChainOptions& options,
 {
   StepTimer timer(log.report);
   const FloorPlan plan = makeFloorPlan(mapped.map);
-  setRooms(plan, mapped.map);
   saveCompactMap(folder.path(""), mapped.map, options.texture.outputs);
   for (const std::string& format : options.formats)
     if (format == "html")

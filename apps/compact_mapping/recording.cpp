@@ -61,6 +61,8 @@ importRecording(const std::string& path,
   }
   if (sequence.hasTrajectory())
     saveTrajectory(output.path(trajectory_name), trajectory);
+  else
+    saveTimes(output.path(times_name), trajectory.stamps);
   stopIfInterrupted();
   output.commit();
   timer.finish("import");

@@ -389,7 +389,8 @@ rectificationOf(const RectificationOptions& options)
   if (options.smoothing)
     rectification.setSmoothing(*options.smoothing);
   rectification.setSeed(options.seed);
-  rectification.setOdometryNoise(options.odometry);
+  if (options.has_odometry_noise)
+    rectification.setOdometryNoise(options.odometry);
   return rectification;
 }
 

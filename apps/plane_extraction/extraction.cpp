@@ -20,24 +20,6 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Callback that refuses work for which there is not enough memory, and warns of work
- * that takes long. */
-CostCallback
-costCheck(const RunControls& controls)
-{
-  return [&controls](const std::string& work, std::size_t bytes, double seconds) {
-    constexpr double long_time = 60;
-    if (bytes > 0)
-      requireMemory(bytes, work);
-    if (seconds > long_time && controls.warn_at_once)
-      controls.warn_at_once("the paper's clustering compares each hypothesis with all "
-                            "points within 0.8 m "
-                            "of it: that may take about " +
-                            std::to_string(std::lround(seconds / 60)) +
-                            " min; without --paper it takes seconds");
-  };
-}
-
 constexpr std::size_t max_lines = 20, lines_of_many = 5;
 
 std::string
@@ -268,6 +250,22 @@ private:
 
 } // namespace
 
+CostCallback
+costCheck(const RunControls& controls)
+{
+  return [&controls](const std::string& work, std::size_t bytes, double seconds) {
+    constexpr double long_time = 60;
+    if (bytes > 0)
+      requireMemory(bytes, work);
+    if (seconds > long_time && controls.warn_at_once)
+      controls.warn_at_once("the paper's clustering compares each hypothesis with all "
+                            "points within 0.8 m "
+                            "of it: that may take about " +
+                            std::to_string(std::lround(seconds / 60)) +
+                            " min; without --paper it takes seconds");
+  };
+}
+
 PlaneMapping
 mappingOf(const PlaneOptions& options, unsigned threads)
 {
@@ -284,7 +282,7 @@ mappingOf(const PlaneOptions& options, unsigned threads)
   segmentation.setRegularize(options.regular);
   mapping.setClustering(clustering);
   mapping.setDepthSegmentation(segmentation);
-  mapping.setDepthSensor(options.isInSpace() ? DepthSensor::Laser : options.sensor);
+  mapping.setDepthSensor(options.sensor);
   if (options.voxel_size) {
     PlaneMapping::Consolidation consolidation;
     consolidation.setVoxelSize(*options.voxel_size);

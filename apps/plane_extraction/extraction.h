@@ -50,6 +50,11 @@ addPlaneChoices(Tool& tool, PlaneOptions& options);
 void
 checkChoices(const PlaneOptions& options);
 
+/** \brief A callback that refuses work for which there is not enough memory, and warns of
+ * work that takes long. */
+CostCallback
+costCheck(const RunControls& controls);
+
 /** \brief The mapping of planes with these options.
  * \param[in] threads 0 = all */
 PlaneMapping

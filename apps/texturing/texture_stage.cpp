@@ -5,6 +5,7 @@
 #include "memory.h"
 #include "stage_reports.h"
 
+#include <pcl/pipeline/cost_callback.h>
 #include <pcl/point_types.h>
 #include <pcl/texture/plane_texturing.h>
 
@@ -28,10 +29,7 @@ texturingOf(const CompactMap& surfaces,
   texturing.setPlanes(surfaces.planes);
   texturing.setCylinders(surfaces.cylinders);
   texturing.setProgressCallback(controls.progress);
-  // within the range of an integer, but beyond the memory of any machine
-  constexpr double maximum = 1e18;
-  requireMemory(static_cast<std::size_t>(std::min(texturing.estimateMemory(), maximum)),
-                "painting the planes");
+  requireMemory(wholeBytes(texturing.estimateMemory()), "painting the planes");
   return texturing;
 }
 

@@ -194,6 +194,26 @@ TEST_F(ChainScans, ABagGivesTheMapOfTheSameCloudsAsPcds)
                 "--every: is for bags");
 }
 
+TEST_F(ChainScans, ABagWithoutPosesKeepsItsTimes)
+{
+  McapWriter bag;
+  std::vector<double> stamps;
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    stamps.push_back(1700000000.25 + 0.5 * static_cast<double>(i));
+    bag.add("/points",
+            "sensor_msgs/msg/PointCloud2",
+            stamps.back(),
+            cloudMessage(stamps.back(),
+                         "camera_optical_frame",
+                         views_[i].width,
+                         views_[i].height,
+                         rowsOf(views_[i])));
+  }
+  const ToolRun run = runChain(folder_.write("robot.mcap", bag.finish()), out_);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(loadTrajectory(out_ + "/trajectory.txt").stamps, stamps);
+}
+
 TEST_F(ChainScans, CoordinatesOfANationalGridComeBack)
 {
   Eigen::Isometry3d T_grid_map = Eigen::Isometry3d::Identity();

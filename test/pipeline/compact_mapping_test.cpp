@@ -184,9 +184,9 @@ TEST_F(SparseViews, becomeInPaperModeTheMapOfThePapersClassesOneByOne)
   ASSERT_EQ(map.trajectory.poses.size(), views);
   const PaperMap expected = mappedByThePapersClasses(sequence, {});
   EXPECT_TRUE(isSame(map, expected.map));
-  for (std::size_t i = 0; i < views; ++i)
-    EXPECT_EQ(mapping.getOdometryTrajectory().poses[i].matrix(),
-              expected.odometry.poses[i].matrix());
+  for (std::size_t i = 0; i < views; ++i) // rounded as in a file
+    EXPECT_TRUE(mapping.getOdometryTrajectory().poses[i].isApprox(
+        expected.odometry.poses[i], 1e-15));
   for (const PaperSteps& departure : {PaperSteps{false, true, true, true},
                                       PaperSteps{true, false, true, true},
                                       PaperSteps{true, true, false, true},
@@ -529,7 +529,7 @@ TEST(CompactMapping, takesTheFramesOfARig)
   try {
     mapping.compute(map);
   }
-  catch (const InitFailedException& error) { // for views this small
+  catch (const EmptyInputException& error) { // for views this small
     EXPECT_THAT(error.what(), HasSubstr("could be joined"));
   }
   EXPECT_EQ(mapping.getNumberOfObservations(), 2U);

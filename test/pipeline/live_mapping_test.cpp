@@ -258,7 +258,7 @@ TEST(LiveMapping, framesBecomeObservationsAsByTheirClasses)
   try {
     mapping.compute(map);
   }
-  catch (const InitFailedException& error) { // for views this small
+  catch (const EmptyInputException& error) { // for views this small
     EXPECT_THAT(error.what(), testing::HasSubstr("could be joined"));
   }
   EXPECT_EQ(mapping.getNumberOfObservations(), scene.views.size());

@@ -28,7 +28,11 @@ using acmap::StepTimer;
 void
 addRemarks(const Report& step, Report& report)
 {
-  report.remarks.insert(report.remarks.end(), step.remarks.begin(), step.remarks.end());
+  // a broken observation is told once, by the step that reads it first
+  for (const std::string& remark : step.remarks)
+    if (std::find(report.remarks.begin(), report.remarks.end(), remark) ==
+        report.remarks.end())
+      report.remarks.push_back(remark);
 }
 
 /** A pose as it is read from a trajectory file, bit by bit, so that the map has the same
@@ -287,7 +291,7 @@ CompactMapping::estimatePoses(const ObservationSequence& sequence,
                             : odometry.compute(sequence);
   const VisualOdometryResult& found = *report.odometry;
   if (found.posed() == 0)
-    PCL_THROW_EXCEPTION(InitFailedException,
+    PCL_THROW_EXCEPTION(EmptyInputException,
                         "no observation could be joined to another one; the first one "
                             << found.reasonOf(0, sequence.names()));
   std::vector<double> stamps;
@@ -341,10 +345,11 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   addRemarks(*report.consolidation, report);
 
   Levelling levelling = levelling_;
-  if (mode_ == MappingMode::Paper && !levelling.getUpDirection())
-    levelling.setUpDirection(-Eigen::Vector3d::UnitY()); // as the paper assumes
-  else if (!sequence.shift().isZero(0) && !levelling.getUpDirection())
+  if (!sequence.shift().isZero(0) && !levelling.getUpDirection())
     levelling.setUpDirection(Eigen::Vector3d::UnitZ()); // of a surveyed grid
+  else if (rectification_.getMode() == RectificationMode::Paper &&
+           !levelling.getUpDirection())
+    levelling.setUpDirection(-Eigen::Vector3d::UnitY()); // as the paper assumes
   report.levelling = levelObservations(levelling, observations, threads_);
   addRemarks(*report.levelling, report);
   Rectification rectification = rectification_;
@@ -366,6 +371,8 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   for (std::size_t i = 0; i < estimated_.places.size(); ++i)
     estimated_.trajectory.poses[i] = asInFiles(rectification.getPose(i));
   before_ = std::move(observations.trajectory);
+  for (Eigen::Isometry3d& pose : before_.poses)
+    pose = asInFiles(pose);
 }
 
 void
@@ -411,6 +418,9 @@ CompactMapping::goOnFrom(const std::string& step,
   acmap::Fingerprint hash;
   hash.add(sequence.fingerprint());
   hash.add(settings_);
+  hash.add(ACMAP_VERSION);
+  hash.add(odometry_.getEgomotion().getMotionModel() == MotionModel::Rigid ? "rigid"
+                                                                           : "planar");
   hash.add(skip_broken_ ? "skips broken" : "");
   if (mode_ == MappingMode::Paper)
     hash.add("paper");
@@ -450,6 +460,9 @@ CompactMapping::paint(const ObservationSequence& sequence,
       texturing);
   texturing.setNumberOfThreads(threads_);
   texturing.setProgressCallback(partOf(progress_, 0.8, 1));
+  if (cost_callback_)
+    cost_callback_(
+        "painting the planes", acmap::wholeBytes(texturing.estimateMemory()), 0);
   CompactMap map;
   texturing.texture(map);
   report.texture = texturing.getReport();
@@ -524,6 +537,8 @@ CompactMapping::makeMap(CompactMap& map)
 
   ObservationMerging merging = merging_;
   merging.setSkipBroken(skip_broken_);
+  if (mode_ != MappingMode::Paper && planes_.getUsedDepthSensor() == DepthSensor::Laser)
+    merging.setDepthSensor(DepthSensor::Laser);
   merging.setNumberOfThreads(threads_);
   merging.setProgressCallback(partOf(progress_, 0.5, 0.6));
   const std::shared_ptr<RankedWork> work = acmap::shareOut(
@@ -541,6 +556,8 @@ CompactMapping::makeMap(CompactMap& map)
   planes.setDepthSensor(
       acmap::sensorOfMerged(planes.getDepthSensor(), merged.viewpoints.size()));
   planes.setNumberOfThreads(threads_);
+  if (cost_callback_)
+    planes.setCostCallback(cost_callback_);
   planes.setProgressCallback(partOf(progress_, 0.6, 0.8));
   planes.compute(mapped_);
   report.planes = planes.getReport();

@@ -1,15 +1,20 @@
 #include "file_ending.h"
+#include "rgbd/text_rows.h"
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/folder_entries.h>
+#include <pcl/core/output_file.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <limits>
+#include <locale>
 #include <numeric>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -83,7 +88,8 @@ observationName(std::size_t index)
 bool
 isSequenceName(const std::string& name)
 {
-  return name.rfind("observation_", 0) == 0 || name == trajectory_name;
+  return name.rfind("observation_", 0) == 0 || name == trajectory_name ||
+         name == times_name;
 }
 
 bool
@@ -142,6 +148,29 @@ trajectoryRows(const std::string& trajectory,
                                " poses, none for " + name);
   }
   return found;
+}
+
+void
+saveTimes(const std::string& path, const std::vector<double>& times)
+{
+  std::ostringstream lines;
+  lines.imbue(std::locale::classic());
+  lines.precision(std::numeric_limits<double>::max_digits10);
+  for (const double time : times)
+    lines << time << '\n';
+  const std::string text = lines.str();
+  OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+std::vector<double>
+loadTimes(const std::string& path)
+{
+  std::vector<double> times;
+  for (const TextRow& row : loadTextRows(path))
+    times.push_back(numberOf(path, row, 0));
+  return times;
 }
 
 void

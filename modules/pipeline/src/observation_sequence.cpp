@@ -66,12 +66,17 @@ ObservationSequence::ObservationSequence(const std::string& folder, double scale
 , cache_(cacheOfFiles(scale))
 {
   paths_ = acmap::observationPaths(folder);
-  const fs::path trajectory = fs::path(folder) / acmap::trajectory_name;
+  const std::string trajectory = (fs::path(folder) / acmap::trajectory_name).string();
+  const std::string times = (fs::path(folder) / acmap::times_name).string();
   std::error_code error;
-  if (!fs::exists(trajectory, error))
-    return;
-  trajectory_ = loadTrajectory(trajectory.string());
-  rows_ = acmap::trajectoryRows(trajectory.string(), names(), trajectory_.poses.size());
+  if (fs::exists(trajectory, error)) {
+    trajectory_ = loadTrajectory(trajectory);
+    rows_ = acmap::trajectoryRows(trajectory, names(), trajectory_.poses.size());
+  }
+  else if (fs::exists(times, error)) {
+    trajectory_.stamps = acmap::loadTimes(times);
+    rows_ = acmap::trajectoryRows(times, names(), trajectory_.stamps.size());
+  }
   for (Eigen::Isometry3d& pose : trajectory_.poses)
     pose.translation() *= scale;
 }

@@ -500,9 +500,7 @@ PlaneMapping::compute(MappedPlanes& result)
     found = run.fromMesh(input_mesh_);
   }
   else if (const std::optional<Picture> picture =
-               policy_ == ConsolidationPolicy::WhereNoisy
-                   ? pictureOf(points, rows_.layout().width, sensor_)
-                   : std::nullopt)
+               pictureOf(points, rows_.layout().width, getUsedDepthSensor()))
     found = run.inPicture(*picture);
   else
     found = run.inSpace(viewpoints_);

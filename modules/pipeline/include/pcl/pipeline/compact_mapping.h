@@ -407,7 +407,8 @@ public:
   }
 
   /** \brief Sets how observations are merged; whether broken ones are skipped is decided
-   * by this object. */
+   * by this object, and quantised depth stays as it is where planes are found in space
+   * (\ref PlaneMapping::getUsedDepthSensor). */
   void
   setMerging(const ObservationMerging& merging)
   {
@@ -432,6 +433,14 @@ public:
     return planes_;
   }
 
+  /** \brief Sets what is called before planes are found and painted, with the memory and
+   * time that this may take; what it throws, \ref compute throws. */
+  void
+  setCostCallback(CostCallback callback)
+  {
+    cost_callback_ = std::move(callback);
+  }
+
   void
   setTexturing(const Texturing& texturing)
   {
@@ -447,9 +456,10 @@ public:
 
   /** \brief Computes the map.
    * \param[out] map no planes, with the reason in the report, if there are none
-   * \throws InitFailedException without an observation, if observations have poses only
-   * in part, or if none could be joined to another one
-   * \throws EmptyInputException if no place of an earlier map was seen again
+   * \throws InitFailedException without an observation, or if observations have poses only
+   * in part
+   * \throws EmptyInputException if no observation could be joined to another one, or no
+   * place of an earlier map was seen again
    * \throws what the steps throw; OutputFileException if the folder cannot be written
    * \throws CancelledException if the progress callback stopped it */
   void
@@ -548,6 +558,7 @@ private:
   OdometryNoise odometry_noise_; ///< of the poses that are rectified and adjusted
   ObservationMerging merging_;
   PlaneMapping planes_;
+  CostCallback cost_callback_;
   Texturing texturing_;
   MappedPlanes mapped_;
   std::optional<ObservationSequence> mapped_sequence_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -16,4 +17,15 @@ namespace pcl {
 using CostCallback =
     std::function<void(const std::string& work, std::size_t bytes, double seconds)>;
 
+namespace acmap {
+
+/** \brief An estimate in bytes as an integer, which may be beyond the memory of any machine. */
+inline std::size_t
+wholeBytes(double estimate)
+{
+  constexpr double maximum = 1e18; // within the range of an integer
+  return static_cast<std::size_t>(std::min(estimate, maximum));
+}
+
+} // namespace acmap
 } // namespace pcl

@@ -58,6 +58,19 @@ trajectoryRows(const std::string& trajectory,
                const std::vector<std::string>& names,
                std::size_t rows);
 
+/** \brief Name of the file with the times of observations whose poses are unknown. */
+constexpr const char* times_name = "times.txt";
+
+/** \brief Writes a line for each observation of a folder, with its time in seconds.
+ * \throws OutputFileException when the file could not be written completely */
+ACMAP_EXPORT void
+saveTimes(const std::string& path, const std::vector<double>& times);
+
+/** \brief Reads them.
+ * \throws InputFileException naming file, line and word */
+ACMAP_EXPORT std::vector<double>
+loadTimes(const std::string& path);
+
 /** \brief Writes an observation with its pose as VIEWPOINT.
  * \param[in] path of the file
  * \param[in] cloud organized, camera frame, metres

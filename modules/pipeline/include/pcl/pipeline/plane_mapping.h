@@ -113,6 +113,19 @@ public:
     return sensor_;
   }
 
+  /** \brief The sensor whose noise the steps make use of: Laser, so that all is done in
+   * space, where all clouds are consolidated or none are, or where the distance of points
+   * from their planes was set (\ref setClustering). \ref CompactMapping then leaves
+   * quantised depth as it is. */
+  DepthSensor
+  getUsedDepthSensor() const
+  {
+    return policy_ != ConsolidationPolicy::WhereNoisy ||
+                   clustering_.getDistanceThreshold() > 0
+               ? DepthSensor::Laser
+               : sensor_;
+  }
+
   /** \brief Sets all steps to the paper's way, or back to the default one (Accurate).
    *
    * Paper: raw points are never consolidated and no plane is searched for in a picture;
