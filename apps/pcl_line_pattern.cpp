@@ -3,6 +3,7 @@
 #include "output_target.h"
 
 #include <pcl/acquisition/pattern_window.h>
+#include <pcl/core/impl/size_text.h>
 
 #include <CLI/CLI.hpp>
 
@@ -74,12 +75,6 @@ patternName(std::uint32_t index)
   return name;
 }
 
-std::string
-sizeText(int width, int height)
-{
-  return std::to_string(width) + " x " + std::to_string(height) + " px";
-}
-
 /** \brief Opens a black window for the patterns; warns when they have to be scaled.
  * \throws BadArgumentException, IOException when there is no such monitor */
 std::unique_ptr<pcl::PatternWindow>
@@ -88,10 +83,10 @@ openWindow(int number, const pcl::RandomLinePattern& generator, StageLog& log)
   auto window = std::make_unique<pcl::PatternWindow>(static_cast<std::size_t>(number));
   const pcl::MonitorPlace& monitor = window->getMonitor();
   if (monitor.width != generator.getWidth() || monitor.height != generator.getHeight())
-    log.warn("monitor " + monitor.name + " has " +
-             sizeText(monitor.width, monitor.height) + ", the patterns " +
+    log.warn("monitor " + monitor.name + " has " + sizeText(monitor) +
+             " px, the patterns " +
              sizeText(generator.getWidth(), generator.getHeight()) +
-             ": they are shown scaled");
+             " px: they are shown scaled");
   return window;
 }
 
@@ -153,7 +148,7 @@ tellResults(const PatternOptions& options,
                  {"patterns", totals.patterns}};
   log.tell("patterns",
            std::to_string(options.patterns) + ", " +
-               sizeText(generator.getWidth(), generator.getHeight()) + ", " +
+               sizeText(generator.getWidth(), generator.getHeight()) + " px, " +
                std::to_string(options.lines) + " lines each");
   log.tell("coverage", shortNumber(100 * coverage) + " %");
   log.tell("side lobes",
@@ -164,9 +159,7 @@ tellResults(const PatternOptions& options,
   if (!window)
     return;
   const pcl::MonitorPlace& monitor = window->getMonitor();
-  log.tell("shown",
-           "on monitor " + monitor.name + ", " +
-               sizeText(monitor.width, monitor.height));
+  log.tell("shown", "on monitor " + monitor.name + ", " + sizeText(monitor) + " px");
   log.details["monitor"] = {{"name", monitor.name},
                             {"x", monitor.x},
                             {"y", monitor.y},

@@ -3,6 +3,7 @@
 #include "tool.h"
 
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/rgbd_observation.h>
@@ -282,7 +283,7 @@ warnOfCenter(const std::string& name,
       std::abs(2 * camera.cy - size.height) > 0.5 * size.height)
     log.warn("the " + name + "'s principal point " + shortNumber(camera.cx) + ", " +
              shortNumber(camera.cy) + " is far from the middle of images of " +
-             sizeText(size) + "; " + option + " names another");
+             sizeText(size) + " pixels; " + option + " names another");
 }
 
 void

@@ -2,6 +2,7 @@
 
 #include "tool.h"
 
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/rig_cameras.h>
 
 #include <algorithm>
@@ -126,12 +127,9 @@ ShotSource::loadOffShot(const std::string& path) const
   TrinocularFrame::Ptr frame(new TrinocularFrame);
   CameraImage& image = frame->image(RigCamera::Reference);
   image = loadCameraImage(path);
-  const auto size = [](std::int32_t width, std::int32_t height) {
-    return std::to_string(width) + " x " + std::to_string(height) + " pixels";
-  };
   if (image.width != rig().width || image.height != rig().height)
-    throw InputFileException(path + ": has " + size(image.width, image.height) +
-                             ", the rig " + size(rig().width, rig().height));
+    throw InputFileException(path + ": has " + sizeText(image) + " pixels, the rig " +
+                             sizeText(rig()) + " pixels");
   rectifier_.rectify(*frame);
   // a shot has an image of each camera, but colour is only taken from the reference
   for (const RigCamera camera : {RigCamera::Horizontal, RigCamera::Vertical})

@@ -5,6 +5,7 @@
 
 #include <pcl/conversions.h>
 #include <pcl/core/image_file.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/rig_cameras.h>
 #include <pcl/pipeline/observation_files.h>
 
@@ -110,8 +111,7 @@ setUpStereo(const TrinocularRig& rig,
 {
   const SearchRange range = disparitiesBetween(rig, options.nearest, options.farthest);
   requireMemory(disparityMemory(rig, range),
-                std::to_string(range.count) + " disparities of " +
-                    std::to_string(rig.width) + " x " + std::to_string(rig.height) +
+                std::to_string(range.count) + " disparities of " + sizeText(rig) +
                     " pixels");
   TrinocularMatching matching;
   matching.setXOffset(range.minimum);

@@ -13,6 +13,7 @@
 #include <pcl/acquisition/pattern_window.h>
 #include <pcl/acquisition/projector_latency.h>
 #include <pcl/acquisition/trinocular_recorder.h>
+#include <pcl/core/impl/size_text.h>
 
 #include <filesystem>
 #include <thread>
@@ -604,8 +605,7 @@ tellProjector(const GrabberOptions& options,
                               {"settle", settle},
                               {"spared", report.spared}};
   log.tell("projector",
-           "monitor " + monitor.name + ", " + std::to_string(monitor.width) + " x " +
-               std::to_string(monitor.height) + " px, settles in " +
+           "monitor " + monitor.name + ", " + sizeText(monitor) + " px, settles in " +
                shortNumber(settle) + " s" +
                (options.early
                     ? ", " + std::to_string(report.spared) + " patterns spared"

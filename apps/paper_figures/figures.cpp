@@ -12,6 +12,7 @@
 #include <pcl/conversions.h>
 #include <pcl/core/file_format.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/core/planar_pose.h>
@@ -238,12 +239,6 @@ countPoints(const std::vector<std::string>& paths)
   return count;
 }
 
-std::string
-sizeText(int width, int height)
-{
-  return std::to_string(width) + " x " + std::to_string(height);
-}
-
 /** Compares numbers of the session and its map with those of the paper. */
 std::string
 tableOf(const FilmedSession& session,
@@ -271,7 +266,7 @@ tableOf(const FilmedSession& session,
       {"patterns an observation", "10", grouped(session.patterns)},
       {"lines a pattern", "200", grouped(lines)},
       {"pattern, px", "1024 x 768", sizeText(pattern.getWidth(), pattern.getHeight())},
-      {"image, px", "640 x 480", sizeText(count.width, count.height)},
+      {"image, px", "640 x 480", sizeText(count)},
       {"points an observation", "138,653", grouped(count.points / observations)},
       {"points in all", "14,697,233", grouped(count.points)},
       {"shots under patterns, and what a camera of 14 a second takes for them",

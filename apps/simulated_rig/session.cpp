@@ -8,6 +8,7 @@
 #include <pcl/core/file_format.h>
 #include <pcl/core/image_file.h>
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/simulation/simulated_truth.h>
 #include <pcl/stereo/trinocular_rectification.h>
@@ -233,8 +234,7 @@ setBuiltCameras(const std::string& path, FilmedScene& filmed)
   const RigCalibration& cameras = *filmed.cameras;
   requireMemory(bytes_per_pixel * static_cast<std::size_t>(cameras.width) *
                     static_cast<std::size_t>(cameras.height),
-                "images of " + std::to_string(cameras.width) + " x " +
-                    std::to_string(cameras.height) + " pixels");
+                "images of " + sizeText(cameras) + " pixels");
   TrinocularRectification rectification;
   try {
     rectification.setInputCalibration(cameras);

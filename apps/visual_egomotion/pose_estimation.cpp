@@ -5,6 +5,7 @@
 #include "output_target.h"
 
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/quantile.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/pipeline/observation_files.h>
@@ -279,9 +280,7 @@ medianOf(const VisualOdometryResult& run, const Function& function)
   for (const OdometryPair& pair : run.pairs)
     if (pair.estimate)
       values.push_back(static_cast<double>(function(pair)));
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return acmap::medianOf(values);
 }
 
 /** Median of the estimated standard deviations of the motions along some axes.

@@ -43,9 +43,9 @@ countForeignHoles(const test::Points& points,
   }
   std::set<std::size_t> all, own;
   for (const std::int32_t corner : corners) {
-    all.insert(loops.root(corner));
+    all.insert(loops.find(corner));
     if (isNearRim(corner))
-      own.insert(loops.root(corner));
+      own.insert(loops.find(corner));
   }
   return all.size() - own.size();
 }

@@ -2,6 +2,8 @@
 
 #include "mesh_checker.h"
 
+#include <pcl/core/impl/disjoint_sets.h>
+
 #include <map>
 #include <numeric>
 
@@ -39,34 +41,7 @@ edgesOf(const Triangles& faces)
   return edges;
 }
 
-/** \brief Union-find. The root of a set is its smallest member. */
-class FaceSets {
-public:
-  explicit FaceSets(std::size_t size)
-  : parents_(size)
-  {
-    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-  }
-
-  std::size_t
-  root(std::size_t member)
-  {
-    while (parents_[member] != member)
-      member = parents_[member] = parents_[parents_[member]];
-    return member;
-  }
-
-  void
-  unite(std::size_t a, std::size_t b)
-  {
-    a = root(a);
-    b = root(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::size_t> parents_;
-};
+using FaceSets = DisjointSets<std::size_t>;
 
 inline std::vector<std::vector<std::size_t>>
 facesAroundVertices(const Triangles& faces, std::size_t size)
@@ -93,7 +68,7 @@ countFans(const Triangles& faces,
         fans.unite(i, first_at.emplace(corner, i).first->second);
   std::size_t count = 0;
   for (std::size_t i = 0; i < around.size(); ++i)
-    count += fans.root(i) == i;
+    count += fans.find(i) == i;
   return count;
 }
 

@@ -179,9 +179,9 @@ countMesh(const Points& points, const Triangles& faces)
   }
   counts.edges = edges.size();
   for (std::size_t face = 0; face < usable.size(); ++face)
-    counts.components += components.root(face) == face;
+    counts.components += components.find(face) == face;
   for (std::size_t point = 0; point < points.size(); ++point)
-    counts.boundary_loops += on_boundary[point] && loops.root(point) == point;
+    counts.boundary_loops += on_boundary[point] && loops.find(point) == point;
   return counts;
 }
 

@@ -105,7 +105,7 @@ private:
           rule_.turn_limit - rule_.turn_slack)
         return false;
       const bool flip = use.forward == (a < b);
-      const auto [known, is_new] = flips.emplace(components_.root(use.face), flip);
+      const auto [known, is_new] = flips.emplace(components_.find(use.face), flip);
       if (!is_new && known->second != flip)
         return false;
     }

@@ -1,6 +1,7 @@
 #include "images/corner_votes.h"
 
 #include <pcl/acquisition/channel_order.h>
+#include <pcl/core/impl/size_text.h>
 
 #include <algorithm>
 #include <optional>
@@ -13,12 +14,6 @@ namespace {
 // Measured thresholds, see doc/acquisition/channel_order.md.
 constexpr std::size_t min_found = 10; // corners
 constexpr std::size_t min_lead = 4;   // factor to the number under any other order
-
-std::string
-sizeText(int width, int height)
-{
-  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
-}
 
 void
 requireImages(const TrinocularFrame& frame, const RigCalibration& calibration)
@@ -35,8 +30,8 @@ requireImages(const TrinocularFrame& frame, const RigCalibration& calibration)
     if (!isWhole(image))
       fail("image is missing, or has not all its values");
     if (image.width != calibration.width || image.height != calibration.height)
-      fail("image has " + sizeText(image.width, image.height) + ", the calibration " +
-           sizeText(calibration.width, calibration.height));
+      fail("image has " + acmap::sizeText(image) + " pixels, the calibration " +
+           acmap::sizeText(calibration) + " pixels");
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <pcl/acquisition/usb_camera.h>
 #include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/rig_cameras.h>
 
 #include <algorithm>
@@ -99,8 +100,7 @@ DigiclopsGrabber::setCalibration(const RigCalibration& calibration)
   requireSoundCalibration(calibration);
   if (calibration.width != state_->rig.width ||
       calibration.height != state_->rig.height)
-    throw BadArgumentException("a calibration of " + std::to_string(calibration.width) +
-                               " x " + std::to_string(calibration.height) +
+    throw BadArgumentException("a calibration of " + acmap::sizeText(calibration) +
                                " pixels is refused: the rig has others");
   for (const RigCamera camera : acmap::rig_cameras)
     if (acmap::hasCamera(state_->rig, camera) && !calibration.camera(camera).is_there)

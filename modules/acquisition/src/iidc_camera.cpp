@@ -3,6 +3,7 @@
 #include <pcl/acquisition/iidc_bus.h>
 #include <pcl/acquisition/iidc_camera.h>
 #include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/size_text.h>
 
 #include <utility>
 
@@ -88,8 +89,8 @@ IidcCamera::findMode(int width, int height, int cameras) const
   if (best != nullptr)
     return *best;
   throw CameraException(CameraFault::Unsupported,
-                        state_->place + ": has no mode of " + std::to_string(width) +
-                            " x " + std::to_string(height) + " pixels for " +
+                        state_->place + ": has no mode of " +
+                            acmap::sizeText(width, height) + " pixels for " +
                             std::to_string(cameras) + " cameras; it has " +
                             (known.empty() ? "none" : known));
 }

@@ -3,6 +3,7 @@
 
 #include <pcl/acquisition/pattern_sequence_grabber.h>
 #include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/size_text.h>
 
 #include <utility>
 
@@ -19,8 +20,7 @@ requireWholePatterns(const std::vector<RgbImage>& patterns)
     const RgbImage& image = patterns[i];
     if (!acmap::isWhole(image))
       throw BadArgumentException("pattern " + std::to_string(i) + " of " +
-                                 std::to_string(image.width) + " x " +
-                                 std::to_string(image.height) + " pixels has " +
+                                 acmap::sizeText(image) + " pixels has " +
                                  std::to_string(image.values.size()) + " values");
   }
 }

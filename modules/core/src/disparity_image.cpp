@@ -4,6 +4,7 @@
 #include "images/image_codecs.h"
 #include "text_number.h"
 
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/output_file.h>
 
 #include <algorithm>
@@ -58,8 +59,8 @@ readSize(acmap::ByteSource& source, PfmHeader& header)
     *side = pixels;
   }
   if (header.width * header.height > acmap::max_pixels)
-    source.failAtLine("claims " + std::to_string(header.width) + " x " +
-                      std::to_string(header.height) + " pixels, at most 2^28 are read");
+    source.failAtLine("claims " + acmap::sizeText(header) +
+                      " pixels, at most 2^28 are read");
 }
 
 PfmHeader
@@ -131,8 +132,7 @@ acmap::readPfm(ByteSource& source)
   if (source.remaining() != needed)
     source.fail((source.remaining() < needed ? "is truncated: " : "goes on: ") +
                 std::to_string(source.remaining()) + " bytes follow its header, " +
-                std::to_string(needed) + " are " + std::to_string(header.width) +
-                " x " + std::to_string(header.height) + " values");
+                std::to_string(needed) + " are " + acmap::sizeText(header) + " values");
   DisparityImage image;
   image.width = static_cast<std::int32_t>(header.width);
   image.height = static_cast<std::int32_t>(header.height);

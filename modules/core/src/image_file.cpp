@@ -2,6 +2,7 @@
 #include "images/image_codecs.h"
 
 #include <pcl/core/image_file.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/output_file.h>
 
 #include <algorithm>
@@ -16,8 +17,7 @@ requireImageSize(std::uint64_t width,
                  double pixels_per_byte,
                  std::size_t bytes)
 {
-  const std::string size =
-      std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  const std::string size = sizeText(width, height) + " pixels";
   if (width == 0 || height == 0)
     throw DamagedImage("has no pixels: " + size);
   // Both are below 2^31.
@@ -41,9 +41,8 @@ requireImageValues(std::int32_t width,
           ? static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height)
           : 0;
   if (pixels == 0 || pixels > max_pixels || values != channels * pixels)
-    throw BadArgumentException("an image of " + std::to_string(width) + " x " +
-                               std::to_string(height) + " pixels with " +
-                               std::to_string(values) +
+    throw BadArgumentException("an image of " + sizeText(width, height) +
+                               " pixels with " + std::to_string(values) +
                                " values: " + std::to_string(channels) +
                                " a pixel are needed, and 1 to 2^28 pixels");
 }

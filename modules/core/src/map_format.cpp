@@ -4,6 +4,7 @@
 
 #include <pcl/core/impl/chart_clip.h>
 #include <pcl/core/impl/map_check.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/exceptions.h>
 
 #include <algorithm>
@@ -93,9 +94,8 @@ requirePictureOfCylinder(const TexturePicture& picture, std::size_t index)
 {
   const std::int64_t width = picture.colors.width, height = picture.colors.height;
   if (width < 0 || height < 0 || (width == 0) != (height == 0))
-    refuse("the picture of cylinder",
-           index,
-           "has " + std::to_string(width) + " x " + std::to_string(height) + " texels");
+    refuse(
+        "the picture of cylinder", index, "has " + sizeText(width, height) + " texels");
   requirePicture("the picture of cylinder", index, picture);
 }
 

@@ -4,6 +4,7 @@
 #include "text_number.h"
 
 #include <pcl/PCLPointField.h>
+#include <pcl/core/impl/size_text.h>
 
 #include <array>
 #include <limits>
@@ -206,12 +207,11 @@ joinCounts(const PcdLines& lines, PcdHeader& header, const ByteSource& source)
   if (header.height == 0)
     header.height = 1;
   if (header.width > std::numeric_limits<std::uint64_t>::max() / header.height)
-    source.fail("header claims " + std::to_string(header.width) + " x " +
-                std::to_string(header.height) + " points");
+    source.fail("header claims " + sizeText(header) + " points");
   header.points = header.width * header.height;
   if (lines.points && *lines.points != header.points)
     source.fail("header claims " + std::to_string(*lines.points) + " points and " +
-                std::to_string(header.width) + " x " + std::to_string(header.height));
+                sizeText(header));
   if (header.points == 0) {
     header.width = 0;
     header.height = 1;

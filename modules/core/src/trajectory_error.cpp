@@ -1,3 +1,4 @@
+#include <pcl/core/impl/quantile.h>
 #include <pcl/core/trajectory_error.h>
 
 #include <pcl/core/impl/rigid_alignment.h>
@@ -58,13 +59,10 @@ meanOf(const std::vector<MotionError>& errors,
 }
 
 double
-medianOf(std::vector<double> values)
+medianOrUnknown(std::vector<double>& values)
 {
-  if (values.empty())
-    return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                        : acmap::medianOf(values);
 }
 
 template <int Dimension>
@@ -136,14 +134,14 @@ summaryOf(const std::vector<MotionError>& errors)
     return [value](const MotionError& error) { return std::pow(value(error), 2); };
   };
   summary.translation_rms = std::sqrt(meanOf(errors, squareOf(translation)));
-  summary.translation_median = medianOf(std::move(translations));
+  summary.translation_median = medianOrUnknown(translations);
   summary.rotation_rms = std::sqrt(meanOf(errors, squareOf(rotation)));
-  summary.rotation_median = medianOf(std::move(rotations));
+  summary.rotation_median = medianOrUnknown(rotations);
   const double length =
       meanOf(errors, [](const MotionError& error) { return error.length; });
   summary.translation_per_metre = length > 0 ? meanOf(errors, translation) / length
                                              : std::numeric_limits<double>::quiet_NaN();
-  summary.translation_per_metre_median = medianOf(std::move(shares));
+  summary.translation_per_metre_median = medianOrUnknown(shares);
   return summary;
 }
 

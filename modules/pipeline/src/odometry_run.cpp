@@ -2,6 +2,8 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/quantile.h>
+#include <pcl/core/impl/size_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,12 +39,6 @@ pointsWithColor(const PCLPointCloud2& from)
   return cloud;
 }
 
-std::string
-sizeText(const View& cloud)
-{
-  return std::to_string(cloud.width) + " x " + std::to_string(cloud.height) + " points";
-}
-
 /** Sets the search limits for two observations that are this number of steps apart.
  * They grow with the gap, but not so far that every motion would be possible. */
 void
@@ -54,16 +50,6 @@ setReach(double steps, const Egomotion& of_step, Egomotion& egomotion)
   egomotion.setMaximumTranslation(
       std::min(steps * of_step.getMaximumTranslation(), max_translation));
   egomotion.setMaximumRotation(std::min(steps * of_step.getMaximumRotation(), pi));
-}
-
-double
-medianOf(std::vector<double> values)
-{
-  if (values.empty())
-    return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /** Does a motion leave the floor by clearly more than its uncertainty? */
@@ -144,7 +130,8 @@ OdometryRun::add(OdometryView view, const std::string& name)
     size_ = sizeText(*view.cloud);
   if (sizeText(*view.cloud) != size_)
     throw InputFileException(name + ": has " + sizeText(*view.cloud) +
-                             ", the observations before have " + size_);
+                             " points, the observations before have " + size_ +
+                             " points");
   result_.poses.resize(view.index + 1);
   if (of_step_.getMotionModel() == MotionModel::Planar && last_.cloud &&
       isProbed(view.index))

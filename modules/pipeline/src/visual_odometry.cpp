@@ -1,5 +1,7 @@
 #include "odometry_run.h"
 
+#include <pcl/core/impl/quantile.h>
+
 #include <algorithm>
 #include <cmath>
 #include <future>
@@ -81,9 +83,7 @@ VisualOdometryResult::noise() const
     for (const OdometryPair& pair : pairs)
       if (pair.estimate)
         values.push_back(std::sqrt(pair.estimate->covariance(i, i)));
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return values.empty() ? 0.0 : *middle;
+    return acmap::medianOf(values);
   };
   const double length = std::max(deviation(0), deviation(2));
   const double turn = deviation(4);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "median.h"
+#include <pcl/core/impl/quantile.h>
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -70,9 +70,7 @@ largeMedianOf(std::size_t size, const ValueAt& valueAt)
   values.reserve(all[middle]);
   for (const std::vector<double>& some : inside)
     values.insert(values.end(), some.begin(), some.end());
-  const auto wanted = values.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(values.begin(), wanted, values.end());
-  median.value = *wanted;
+  median.value = valueOfRank(values, rank);
   return median;
 }
 

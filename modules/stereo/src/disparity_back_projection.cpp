@@ -1,3 +1,4 @@
+#include <pcl/core/impl/size_text.h>
 #include <pcl/stereo/disparity_back_projection.h>
 
 #include "back_projection/pixel_projection.h"
@@ -19,9 +20,9 @@ void
 requireSize(const char* name, int width, int height, const TrinocularRig& rig)
 {
   if (width != rig.width || height != rig.height)
-    throw BadArgumentException(std::string(name) + " has " +
-                               acmap::sizeText(width, height) + ", the rig has " +
-                               acmap::sizeText(rig.width, rig.height));
+    throw BadArgumentException(
+        std::string(name) + " has " + acmap::sizeText(width, height) +
+        " pixels, the rig has " + acmap::sizeText(rig) + " pixels");
 }
 
 void

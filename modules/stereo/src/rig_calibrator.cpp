@@ -1,3 +1,4 @@
+#include <pcl/core/impl/size_text.h>
 #include <pcl/stereo/rig_calibrator.h>
 
 #include "calibration/board_views.h"
@@ -114,8 +115,7 @@ RigCalibrator::setBoard(const CalibrationBoard& board)
   acmap::requireInRange("square of the board", board.square, 1e-4, 10.0, "m");
   if ((board.columns + board.rows) % 2 == 0)
     throw BadArgumentException(
-        "a board of " + std::to_string(board.columns) + " x " +
-        std::to_string(board.rows) +
+        "a board of " + acmap::sizeText(board.columns, board.rows) +
         " corners looks the same upside down: one count must be even, the other odd");
   *this = RigCalibrator();
   board_ = board;
@@ -140,9 +140,8 @@ RigCalibrator::addShot(const TrinocularFrame& frame,
     if (image.width == width_ && image.height == height_)
       found = acmap::findBoard(image, board_);
     else
-      found.reason = "has " + std::to_string(image.width) + " x " +
-                     std::to_string(image.height) + " pixels, the first image has " +
-                     std::to_string(width_) + " x " + std::to_string(height_);
+      found.reason = "has " + acmap::sizeText(image) + " pixels, the first image has " +
+                     acmap::sizeText(width_, height_);
     report_.images.push_back(
         {names[i], static_cast<RigCamera>(i), shots_, found.reason, 0.0});
     corners_.push_back(std::move(found.corners));

@@ -1,3 +1,4 @@
+#include <pcl/core/impl/size_text.h>
 #include <pcl/stereo/trinocular_rectification.h>
 
 #include "matching/shot_check.h"
@@ -20,8 +21,8 @@ requireFits(const CameraImage& image, const char* name, const RigCalibration& ri
     throw BadArgumentException(std::string("the ") + name + " image " + fault);
   };
   if (image.width != rig.width || image.height != rig.height)
-    fail("has " + acmap::sizeText(image.width, image.height) +
-         ", the calibration has " + acmap::sizeText(rig.width, rig.height));
+    fail("has " + acmap::sizeText(image) + " pixels, the calibration has " +
+         acmap::sizeText(rig) + " pixels");
   if (image.channels != 1 && image.channels != 3)
     fail("has " + std::to_string(image.channels) + " channels; legal are 1 and 3");
   if (!isWhole(image))

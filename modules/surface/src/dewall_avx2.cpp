@@ -1,7 +1,9 @@
 // The kernel compiled once more, for processors with AVX2. Only its own functions get
 // these instructions: templates of the libraries may be merged with those of other
 // sources, which run on any processor, so all their headers are included before.
+#include <pcl/core/impl/disjoint_sets.h>
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/quantile.h>
 #include <pcl/surface/impl/dewall_kernel.h>
 
 #include <Eigen/Eigenvalues>

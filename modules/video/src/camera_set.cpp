@@ -1,5 +1,6 @@
 #include "camera_set.h"
 
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/rig_cameras.h>
 
 #include <algorithm>
@@ -19,12 +20,6 @@ std::string
 nameOfCamera(const CameraSet::Camera& camera)
 {
   return std::string("the ") + nameOf(camera.place) + " camera, " + camera.device;
-}
-
-std::string
-sizeText(int width, int height)
-{
-  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
 
 /** The four characters as OpenCV and V4L2 code them. */
@@ -128,8 +123,8 @@ CameraSet::retrieve(ImageSet& images)
     if (image.width != width_ || image.height != height_)
       throw CameraException(CameraFault::Unsupported,
                             nameOfCamera(camera) + ": gives images of " +
-                                sizeText(image.width, image.height) + ", the rig has " +
-                                sizeText(width_, height_));
+                                sizeText(image) + " pixels, the rig has " +
+                                sizeText(width_, height_) + " pixels");
   }
   images.stamp = cameras_.front().thread->source().stamp();
   return Outcome::Images;

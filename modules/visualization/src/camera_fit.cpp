@@ -1,5 +1,7 @@
 #include "camera_fit.h"
 
+#include <pcl/core/impl/quantile.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,10 +28,7 @@ Number
 quantile(std::vector<Number>& values, double share)
 {
   const auto last = static_cast<double>(values.size() - 1);
-  const auto place =
-      values.begin() + static_cast<std::ptrdiff_t>(std::lround(share * last));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+  return valueOfRank(values, static_cast<std::size_t>(std::lround(share * last)));
 }
 
 /** \brief Points without outliers in the axes of the camera (right, up, towards the

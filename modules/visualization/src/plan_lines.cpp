@@ -1,6 +1,7 @@
 #include "plan_lines.h"
 
 #include <pcl/core/cylinder_facets.h>
+#include <pcl/core/impl/quantile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,9 +45,7 @@ eyeLevel(const Trajectory& trajectory, const Vector3d& up)
     levels.push_back(eye.cast<double>().dot(up));
   if (levels.empty())
     return {};
-  const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
-  std::nth_element(levels.begin(), middle, levels.end());
-  return *middle;
+  return medianOf(levels);
 }
 
 bool

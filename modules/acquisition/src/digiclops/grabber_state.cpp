@@ -1,5 +1,6 @@
 #include "grabber_state.h"
 
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/rig_cameras.h>
 
 #include <utility>
@@ -49,8 +50,7 @@ DigiclopsGrabber::State::setMode(const IidcMode& new_mode, float new_rate)
       new_mode.cameras() != acmap::countCameras(rig))
     throw BadArgumentException("mode " + new_mode.text() + " is refused: the rig has " +
                                std::to_string(acmap::countCameras(rig)) +
-                               " cameras of " + std::to_string(rig.width) + " x " +
-                               std::to_string(rig.height) + " pixels");
+                               " cameras of " + acmap::sizeText(rig) + " pixels");
   requireIdle();
   const float possible = camera.setMode(new_mode, new_rate);
   const acmap::BayerPattern pattern = acmap::bayerPatternOf(camera.colorFilter());

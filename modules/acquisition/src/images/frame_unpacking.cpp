@@ -1,5 +1,7 @@
 #include "frame_unpacking.h"
 
+#include <pcl/core/impl/size_text.h>
+
 #include <opencv2/imgproc.hpp>
 
 #include <array>
@@ -13,8 +15,7 @@ requireLayout(const PlaneLayout& layout, std::size_t bytes)
 {
   const int min_side = layout.bayer == BayerPattern::None ? 1 : 3;
   if (layout.width < min_side || layout.height < min_side)
-    throw BadArgumentException("a frame of " + std::to_string(layout.width) + " x " +
-                               std::to_string(layout.height) +
+    throw BadArgumentException("a frame of " + sizeText(layout) +
                                " pixels; legal are sides of at least " +
                                std::to_string(min_side));
   if (layout.cameras < 1 || layout.cameras > 3)

@@ -1,5 +1,7 @@
 #include "image_fit.h"
 
+#include <pcl/core/impl/size_text.h>
+
 #include <algorithm>
 
 namespace pcl::acmap {
@@ -9,8 +11,7 @@ void
 requireWhole(const RgbImage& image)
 {
   if (!isWhole(image))
-    throw BadArgumentException("an image of " + std::to_string(image.width) + " x " +
-                               std::to_string(image.height) + " px with " +
+    throw BadArgumentException("an image of " + sizeText(image) + " px with " +
                                std::to_string(image.values.size()) +
                                " values cannot be shown: it must have three a pixel, "
                                "and at least one pixel");

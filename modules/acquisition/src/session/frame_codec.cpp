@@ -5,6 +5,7 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/file_format.h>
+#include <pcl/core/impl/size_text.h>
 
 #include <zlib.h>
 
@@ -24,12 +25,6 @@ constexpr std::size_t checksum_bytes = sizeof(std::uint32_t);
 constexpr std::uint64_t max_pixels = std::uint64_t{1} << 28;
 
 std::string
-sizeText(const ImageRecord& image)
-{
-  return std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels";
-}
-
-std::string
 cameraFault(std::size_t camera, const std::string& fault)
 {
   return std::string(nameOf(static_cast<RigCamera>(camera))) + " camera: " + fault;
@@ -41,9 +36,9 @@ faultOfImage(const ImageRecord& image)
   if (image.channels != 1 && image.channels != 3)
     return std::to_string(image.channels) + " channels, 1 or 3 are legal";
   if ((image.width == 0) != (image.height == 0))
-    return "an image of " + sizeText(image);
+    return "an image of " + sizeText(image) + " pixels";
   if (std::uint64_t{image.width} * image.height > max_pixels)
-    return sizeText(image) + ", at most 2^28 are legal";
+    return sizeText(image) + " pixels, at most 2^28 are legal";
   return "";
 }
 
@@ -61,7 +56,7 @@ faultOfPacking(const ImageRecord& image)
                 image.values() / max_values_per_packed_byte <= image.bytes;
   return fits ? ""
               : std::to_string(image.bytes) + " bytes cannot hold " + sizeText(image) +
-                    " of " + std::to_string(image.channels) + " channels";
+                    " pixels of " + std::to_string(image.channels) + " channels";
 }
 
 std::uint64_t
@@ -185,8 +180,9 @@ faultOf(const FrameHeader& header)
       return cameraFault(camera, fault);
     if (image.width > 0 &&
         (image.width != reference.width || image.height != reference.height))
-      return cameraFault(
-          camera, sizeText(image) + ", the reference has " + sizeText(reference));
+      return cameraFault(camera,
+                         sizeText(image) + " pixels, the reference has " +
+                             sizeText(reference) + " pixels");
   }
   return "";
 }

@@ -4,6 +4,7 @@
 #include <pcl/core/file_format.h>
 #include <pcl/core/impl/folder_entries.h>
 #include <pcl/core/impl/hidden_folder.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/rig_cameras.h>
 
@@ -167,9 +168,7 @@ faultOfSize(const ImageRecord& image, const TrinocularRig& rig)
   if (image.width == static_cast<std::uint32_t>(rig.width) &&
       image.height == static_cast<std::uint32_t>(rig.height))
     return "";
-  return std::to_string(image.width) + " x " + std::to_string(image.height) +
-         " pixels, the rig has " + std::to_string(rig.width) + " x " +
-         std::to_string(rig.height);
+  return sizeText(image) + " pixels, the rig has " + sizeText(rig);
 }
 
 std::string

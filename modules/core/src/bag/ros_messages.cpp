@@ -4,6 +4,7 @@
 #include "point_cloud_readers.h"
 
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/ros_messages.h>
 #include <pcl/core/trajectory.h>
 
@@ -157,8 +158,7 @@ requirePixels(const RosImage& image, std::size_t bytes, const std::string& name)
     refuseImage(name,
                 "has " + std::to_string(image.data.size()) + " bytes in rows of " +
                     std::to_string(image.row_bytes) + ", too few for " +
-                    std::to_string(image.width) + " x " + std::to_string(image.height) +
-                    " pixels");
+                    sizeText(image) + " pixels");
 }
 
 /** \brief Calls for each pixel of a raw image with its bytes. */

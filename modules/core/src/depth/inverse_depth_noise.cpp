@@ -1,5 +1,7 @@
 #include "depth/tile_moments.h"
 
+#include <pcl/core/impl/quantile.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,10 +25,7 @@ flatTiles(const DepthView& view, std::size_t edge)
                            std::sqrt(tiles[t].count / (tiles[t].count - 3)));
   if (deviations.size() < fewest)
     return 0;
-  const auto quartile =
-      deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 4);
-  std::nth_element(deviations.begin(), quartile, deviations.end());
-  return *quartile;
+  return quantileOf(deviations, 0.25);
 }
 
 } // namespace

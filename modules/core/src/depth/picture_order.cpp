@@ -1,5 +1,6 @@
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/depth_view.h>
+#include <pcl/core/impl/quantile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,9 +65,7 @@ findLines(std::vector<double> rays)
   std::vector<double> gaps;
   for (std::size_t i = 1; i < middles.size(); ++i)
     gaps.push_back(middles[i] - middles[i - 1]);
-  const auto median = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-  std::nth_element(gaps.begin(), median, gaps.end());
-  PictureLines lines{middles.front(), *median, 0};
+  PictureLines lines{middles.front(), medianOf(gaps), 0};
   // computed over the whole image, because the error of a single gap would accumulate
   const double span = middles.back() - middles.front();
   const double steps = std::round(span / lines.pitch);

@@ -1,5 +1,7 @@
 #include "image_codecs.h"
 
+#include <pcl/core/impl/size_text.h>
+
 #include <turbojpeg.h>
 
 #include <memory>
@@ -101,8 +103,7 @@ encodeJpeg(const RgbImage& image, int quality)
     throw BadArgumentException("quality of a JPEG is " + std::to_string(quality) +
                                ", 1 to 100 are legal");
   if (image.width > longest_side || image.height > longest_side)
-    throw BadArgumentException("an image of " + std::to_string(image.width) + " x " +
-                               std::to_string(image.height) +
+    throw BadArgumentException("an image of " + acmap::sizeText(image) +
                                " pixels is no JPEG, whose sides end at 65500");
   const Handle handle = made(tjInitCompress());
   std::uint8_t* bytes = nullptr;

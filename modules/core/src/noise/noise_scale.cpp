@@ -3,6 +3,7 @@
 #include <pcl/core/impl/depth_view.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/point_view.h>
+#include <pcl/core/impl/quantile.h>
 #include <pcl/core/impl/voxel_moments.h>
 #include <pcl/core/impl/voxel_windows.h>
 #include <pcl/core/noise_scale.h>
@@ -141,10 +142,9 @@ applyDepthSteps(const PointView& points, std::size_t width, NoiseScale& scale)
       noise = measureInverseDepthNoise(*view, step);
   std::vector<double> depths;
   const std::map<int, std::size_t> bins = countRanges(points, depths);
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-  std::nth_element(depths.begin(), middle, depths.end());
+  const double middle = acmap::medianOf(depths);
   scale.inverse_depth = noise;
-  scale.sigma = std::max(scale.sigma, noise.sigma() * *middle * *middle);
+  scale.sigma = std::max(scale.sigma, noise.sigma() * middle * middle);
   constexpr std::size_t enough = 100;
   scale.ranges.clear();
   for (const auto& [bin, number] : bins) {
@@ -202,11 +202,9 @@ public:
     for (auto& [bin, values] : bins_) {
       if (values.size() < enough)
         continue;
-      const auto middle =
-          values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-      std::nth_element(values.begin(), middle, values.end());
-      ranges.push_back(
-          {std::exp2((bin + 0.5) / 2), *middle / median_of_normal, values.size()});
+      ranges.push_back({std::exp2((bin + 0.5) / 2),
+                        medianOf(values) / median_of_normal,
+                        values.size()});
     }
     return ranges;
   }
@@ -265,17 +263,6 @@ struct ScaleLevel {
   double planar_share = 0; ///< share of the windows with a surface that are planar
   std::size_t planes = 0;
 };
-
-double
-quantileOf(std::vector<double>& values, double share)
-{
-  if (values.empty())
-    return 0;
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(
-                                          share * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
 
 /** Mean of the middle half of the values: as robust as the median, and stable if a view
  * has walls with two levels of noise. */

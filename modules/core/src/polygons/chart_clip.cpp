@@ -1,4 +1,5 @@
 #include <pcl/core/impl/chart_clip.h>
+#include <pcl/core/impl/size_text.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -73,8 +74,7 @@ faultOfFrame(const TextureChart& chart)
   const std::int64_t width = chart.colors.width;
   const std::int64_t height = chart.colors.height;
   if (width <= 0 || height <= 0 || width * height > maximum_texels)
-    return "has " + std::to_string(width) + " x " + std::to_string(height) +
-           " texels, 1 to 2^28 are legal";
+    return "has " + sizeText(width, height) + " texels, 1 to 2^28 are legal";
   if (!chart.origin.allFinite())
     return "has an origin that is not finite";
   const double u = chart.texel_u.norm();

@@ -1,4 +1,5 @@
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/quantile.h>
 #include <pcl/core/impl/voxel_lattice.h>
 
 #include <algorithm>
@@ -57,9 +58,7 @@ medianPoint(const PointView& points)
     auto& list = values[axis];
     if (list.empty())
       break;
-    const auto middle = list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2);
-    std::nth_element(list.begin(), middle, list.end());
-    median[axis] = *middle;
+    median[axis] = medianOf(list);
   }
   return median;
 }

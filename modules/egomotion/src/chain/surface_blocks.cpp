@@ -1,6 +1,7 @@
 #include "chain/surface_blocks.h"
 
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/quantile.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -178,12 +179,8 @@ estimatedSigmas(const CameraView& view)
                           plane.center.z());
     }
   double growth = usual;
-  if (growths.size() >= 20) {
-    const auto middle =
-        growths.begin() + static_cast<std::ptrdiff_t>(growths.size() / 2);
-    std::nth_element(growths.begin(), middle, growths.end());
-    growth = *middle;
-  }
+  if (growths.size() >= 20)
+    growth = medianOf(growths);
   std::vector<float> sigmas;
   sigmas.reserve(view.points.size());
   for (const Eigen::Vector3f& point : view.points)

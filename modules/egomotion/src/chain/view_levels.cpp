@@ -1,6 +1,7 @@
 #include "chain/view_levels.h"
 
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/quantile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,10 +96,8 @@ imageNoise(const GreyImage& image)
     }
   if (curvatures.empty())
     return minimum;
-  const auto middle =
-      curvatures.begin() + static_cast<std::ptrdiff_t>(curvatures.size() / 2);
-  std::nth_element(curvatures.begin(), middle, curvatures.end());
-  return std::max(*middle / 6 / 0.6745F, minimum); // 6: length of the filter
+  return std::max(medianOf(curvatures) / 6 / 0.6745F,
+                  minimum); // 6: length of the filter
 }
 
 std::vector<ViewLevel>

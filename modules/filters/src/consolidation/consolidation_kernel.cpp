@@ -5,6 +5,7 @@
 #include "consolidation/thinning.h"
 
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/quantile.h>
 #include <pcl/filters/impl/consolidation_kernel.h>
 
 #include <algorithm>
@@ -178,9 +179,7 @@ describe(const VoxelMoments& voxels,
     counts.push_back(fit.count);
   if (counts.empty())
     return;
-  const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
-  std::nth_element(counts.begin(), middle, counts.end());
-  report.residual = report.sigma / std::sqrt(std::max(*middle, 1.0f));
+  report.residual = report.sigma / std::sqrt(std::max(medianOf(counts), 1.0f));
 }
 
 void

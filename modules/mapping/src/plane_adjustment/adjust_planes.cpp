@@ -8,6 +8,7 @@
 #include "surface_floor.h"
 #include "view_pieces.h"
 
+#include <pcl/core/impl/quantile.h>
 #include <pcl/exceptions.h>
 #include <pcl/mapping/impl/plane_adjustment_kernel.h>
 
@@ -83,13 +84,7 @@ neighbourDeviation(const PiecesOfViews& pieces,
                                 poses[covariances.origin(entry.place)].translation(),
                             poses[entry.other].linear() * seen[i].normal));
     }
-  if (deviations.empty())
-    return 0;
-  const auto place =
-      deviations.begin() +
-      static_cast<std::ptrdiff_t>(share * static_cast<double>(deviations.size()));
-  std::nth_element(deviations.begin(), place, deviations.end());
-  return *place;
+  return quantileOf(deviations, share);
 }
 
 constexpr std::size_t enough_rays = 50;

@@ -2,6 +2,8 @@
 
 #include "landmark_solver.h"
 
+#include <pcl/core/impl/quantile.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,10 +52,7 @@ measureFloor(const std::vector<Landmark>& landmarks,
     if (bin.excess.size() < min_values)
       continue;
     const auto count = static_cast<double>(bin.excess.size());
-    const auto middle =
-        bin.excess.begin() + static_cast<std::ptrdiff_t>(bin.excess.size() / 2);
-    std::nth_element(bin.excess.begin(), middle, bin.excess.end());
-    const double variance = std::max(0.0, *middle / median_of_square);
+    const double variance = std::max(0.0, medianOf(bin.excess) / median_of_square);
     const double power = std::pow(bin.range / count, 4);
     const double weight = count / std::pow(1 + power, 2); // errors grow with the range
     ones += weight;

@@ -1,6 +1,7 @@
 #include "view_pieces.h"
 
 #include <pcl/core/impl/depth_view.h>
+#include <pcl/core/impl/quantile.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -532,18 +533,6 @@ withCutter(const AdjustedView& view,
   }
 }
 
-/** The value that a fraction of all values do not exceed; 0 without any. */
-double
-valueAt(std::vector<double>& values, double share)
-{
-  if (values.empty())
-    return 0;
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(
-                                          share * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
 } // namespace
 
 std::size_t
@@ -605,11 +594,11 @@ measureRangeNoise(const AdjustedViewReader& read, std::size_t views)
     all.insert(all.end(), squares[bin].begin(), squares[bin].end());
     if (squares[bin].size() < min_tiles)
       continue;
-    factors[bin] = std::sqrt(valueAt(squares[bin], planar));
+    factors[bin] = std::sqrt(quantileOf(squares[bin], planar));
     is_known = true;
   }
   if (!is_known) // small clouds: the same at all distances
-    factors[0] = std::sqrt(valueAt(all, planar));
+    factors[0] = std::sqrt(quantileOf(all, planar));
   RangeNoise noise;
   noise.set(factors);
   std::vector<double> shares;
@@ -619,7 +608,7 @@ measureRangeNoise(const AdjustedViewReader& read, std::size_t views)
     if (commons[i].first < 1.2 * factor * factor)
       shares.push_back(commons[i].second / (factor * factor));
   }
-  noise.common = std::sqrt(std::max(valueAt(shares, 0.5), 0.0));
+  noise.common = std::sqrt(std::max(quantileOf(shares, 0.5), 0.0));
   return noise;
 }
 

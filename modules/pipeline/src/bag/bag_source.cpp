@@ -4,6 +4,7 @@
 #include <pcl/core/bag_file.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/ros_messages.h>
 #include <pcl/pipeline/observation_source.h>
 #include <pcl/pipeline/rgbd_observation.h>
@@ -461,8 +462,8 @@ private:
   {
     if (image.width != size.width || image.height != size.height)
       throw InputFileException(nameOf(topic.name) + ": has an image of " +
-                               sizeText({image.width, image.height}) +
-                               ", the first one has " + sizeText(size));
+                               sizeText(image) + " pixels, the first one has " +
+                               sizeText(size) + " pixels");
   }
 
   PCLPointCloud2

@@ -1,6 +1,7 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/pipeline/depth_sensor.h>
 #include <pcl/pipeline/rgbd_observation.h>
 
@@ -29,7 +30,7 @@ requireComplete(const Image& image, const Values& values, std::size_t channels)
   if (!is_sound || values.size() != channels * static_cast<std::size_t>(image.width) *
                                         static_cast<std::size_t>(image.height))
     PCL_THROW_EXCEPTION(BadArgumentException,
-                        "an image of " << acmap::sizeText(sizeOf(image)) << " has "
+                        "an image of " << acmap::sizeText(image) << " pixels has "
                                        << values.size() << " values");
 }
 
@@ -131,7 +132,8 @@ requireSize(const std::string& path, const ImageSize& size, const ImageSize& nee
 {
   if (needed.width > 0 && (size.width != needed.width || size.height != needed.height))
     throw InputFileException(path + ": has " + acmap::sizeText(size) +
-                             ", the images before have " + acmap::sizeText(needed));
+                             " pixels, the images before have " +
+                             acmap::sizeText(needed) + " pixels");
 }
 
 struct FrameImages {
@@ -182,7 +184,7 @@ observationCloud(const RgbImage& color, const std::vector<Eigen::Vector3f>& poin
   if (3 * points.size() != color.values.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "there are " << points.size() << " points for an image of "
-                                     << acmap::sizeText(sizeOf(color)));
+                                     << acmap::sizeText(color) << " pixels");
   std::vector<Pixel> pixels = pixelsWithoutPoint(color);
   for (std::size_t i = 0; i < pixels.size(); ++i)
     if (points[i].z() > 0)
@@ -262,12 +264,6 @@ loadPose(const RgbdFrame& frame, const RgbdCameras& cameras)
 {
   const Eigen::Isometry3d T_world_depth = loadPose(frame);
   return cameras.color ? T_world_depth * cameras.color->T_depth_color : T_world_depth;
-}
-
-std::string
-acmap::sizeText(const ImageSize& size)
-{
-  return std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels";
 }
 
 } // namespace pcl

@@ -1,9 +1,8 @@
 #include "cylinders/raw_cylinders.h"
 
-#include "median.h"
-
 #include <pcl/core/impl/moments.h>
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/quantile.h>
 #include <pcl/core/impl/voxel_windows.h>
 
 #include <Eigen/Eigenvalues>

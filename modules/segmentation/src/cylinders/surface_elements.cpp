@@ -1,10 +1,10 @@
 #include "cylinders/surface_elements.h"
 
 #include "cylinders/nearest_points.h"
-#include "median.h"
 
 #include <pcl/core/impl/moments.h>
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/quantile.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -72,15 +72,6 @@ quadricOf(const LargeVector<Eigen::Vector3d>& points,
 }
 
 constexpr double quartile_of_seven = 0.78; // rms of seven normal values
-
-template <typename Values>
-double
-lowerQuartile(Values& values)
-{
-  const auto quarter = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
-  std::nth_element(values.begin(), quarter, values.end());
-  return *quarter;
-}
 
 } // namespace
 
@@ -158,10 +149,7 @@ SurfaceElements::setPoints(const PointView& view)
         coordinates.push_back(std::abs(point[axis] - origin[axis]));
     if (coordinates.empty())
       continue;
-    const auto most = coordinates.begin() +
-                      static_cast<std::ptrdiff_t>((coordinates.size() - 1) * 99 / 100);
-    std::nth_element(coordinates.begin(), most, coordinates.end());
-    half[axis] = *most;
+    half[axis] = valueOfRank(coordinates, (coordinates.size() - 1) * 99 / 100);
   }
   extent = 2 * half.norm();
   for (Eigen::Vector3d& point : points)
@@ -235,7 +223,7 @@ SurfaceElements::fitQuadrics(const NearestPoints& tree, double least)
             rms.end());
   if (rms.empty())
     return;
-  sigma = lowerQuartile(rms) / quartile_of_seven;
+  sigma = quantileOf(rms, 0.25) / quartile_of_seven;
 }
 
 LocalNoise
@@ -261,7 +249,7 @@ measureLocalNoise(const PointView& view)
   }
   if (rms.empty())
     return {};
-  return {lowerQuartile(rms) / quartile_of_seven, medianOf(distances)};
+  return {quantileOf(rms, 0.25) / quartile_of_seven, medianOf(distances)};
 }
 
 } // namespace pcl::acmap::cylinders

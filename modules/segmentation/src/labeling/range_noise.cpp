@@ -1,6 +1,6 @@
 #include "labeling/range_noise.h"
 
-#include "median.h"
+#include <pcl/core/impl/quantile.h>
 
 #include <algorithm>
 

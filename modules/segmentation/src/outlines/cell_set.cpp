@@ -1,9 +1,10 @@
 #include "outlines/cell_set.h"
 
+#include <pcl/core/impl/disjoint_sets.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace pcl::acmap::outlines {
 
@@ -157,42 +158,13 @@ runsOf(const CellSet& cells)
   return runs;
 }
 
-/** Sets of numbers that are united; the smallest number represents its set. */
-class Unions {
-public:
-  explicit Unions(std::size_t size)
-  : parents_(size)
-  {
-    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-  }
-
-  std::size_t
-  find(std::size_t i)
-  {
-    while (parents_[i] != i)
-      i = parents_[i] = parents_[parents_[i]];
-    return i;
-  }
-
-  void
-  unite(std::size_t a, std::size_t b)
-  {
-    a = find(a);
-    b = find(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::size_t> parents_;
-};
-
 } // namespace
 
 std::vector<std::vector<CellRun>>
 partsOf(const CellSet& cells, bool is_diagonal)
 {
   const std::vector<CellRun> runs = runsOf(cells);
-  Unions unions(runs.size());
+  DisjointSets<std::size_t> unions(runs.size());
   const int slack = is_diagonal ? 1 : 0;
   for (std::size_t below = 0, i = 0; i < runs.size(); ++i) {
     while (runs[below].y + 1 < runs[i].y ||

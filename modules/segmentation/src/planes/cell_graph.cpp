@@ -1,9 +1,9 @@
 #include "planes/cell_graph.h"
 
-#include "median.h"
 #include "planes/radius_grid.h"
 
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/quantile.h>
 #include <pcl/core/noise_scale.h>
 
 #include <Eigen/Geometry>

@@ -4,6 +4,7 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/size_text.h>
 
 #include <string>
 #include <utility>
@@ -11,12 +12,6 @@
 namespace pcl::acmap {
 
 namespace {
-
-std::string
-sizeText(int width, int height)
-{
-  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
-}
 
 /** \brief Checks that the cameras match the scene's rig. */
 void
@@ -27,9 +22,9 @@ requireCameras(const RigRays& cameras, const TrinocularRig& rig)
     if (cameras[i].width != expected[i].width ||
         cameras[i].height != expected[i].height)
       throw BadArgumentException(
-          "a camera of " + sizeText(cameras[i].width, cameras[i].height) +
-          " is refused: the rig of the scene has one of " +
-          sizeText(expected[i].width, expected[i].height) + " (0: none) there");
+          "a camera of " + sizeText(cameras[i]) +
+          " pixels is refused: the rig of the scene has one of " +
+          sizeText(expected[i]) + " pixels (0: none) there");
 }
 
 void
@@ -39,10 +34,9 @@ requirePattern(const RgbImage& pattern, const SimulatedProjector& projector)
                              static_cast<std::size_t>(projector.height);
   if (pattern.width != projector.width || pattern.height != projector.height ||
       pattern.values.size() != values)
-    throw BadArgumentException("a pattern of " +
-                               sizeText(pattern.width, pattern.height) +
-                               " is refused: the projector has " +
-                               sizeText(projector.width, projector.height));
+    throw BadArgumentException("a pattern of " + sizeText(pattern) +
+                               " pixels is refused: the projector has " +
+                               sizeText(projector) + " pixels");
 }
 
 } // namespace

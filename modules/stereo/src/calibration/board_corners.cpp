@@ -2,6 +2,8 @@
 
 #include "opencv_values.h"
 
+#include <pcl/core/impl/size_text.h>
+
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -115,8 +117,8 @@ try {
   BoardCorners found;
   if (!cv::findChessboardCornersSB(grey, size, corners, cv::CALIB_CB_NORMALIZE_IMAGE) ||
       corners.size() != static_cast<std::size_t>(size.area())) {
-    found.reason = "no whole board of " + std::to_string(board.columns) + " x " +
-                   std::to_string(board.rows) + " corners found";
+    found.reason =
+        "no whole board of " + sizeText(board.columns, board.rows) + " corners found";
     return found;
   }
   order(grey, board, corners);

@@ -1,6 +1,7 @@
 #include "board_views.h"
 #include "opencv_values.h"
 
+#include <pcl/core/impl/quantile.h>
 #include <pcl/stereo/rig_calibrator.h>
 
 #include <opencv2/calib3d.hpp>
@@ -24,9 +25,7 @@ boardPoints(const CalibrationBoard& board)
 double
 outlierLimit(std::vector<double> errors, double floor)
 {
-  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-  std::nth_element(errors.begin(), middle, errors.end());
-  return std::max(floor, 3.0 * *middle);
+  return std::max(floor, 3.0 * medianOf(errors));
 }
 
 void

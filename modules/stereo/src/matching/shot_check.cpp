@@ -1,17 +1,12 @@
 #include "shot_check.h"
 
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/rig_cameras.h>
 #include <pcl/exceptions.h>
 
 #include <cmath>
 
 namespace pcl::acmap {
-
-std::string
-sizeText(int width, int height)
-{
-  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
-}
 
 namespace {
 
@@ -26,8 +21,8 @@ requireImageOf(const TrinocularRig& rig, const TrinocularFrame& shot, RigCamera 
   if (image.width == 0 && image.empty())
     fail("is missing");
   if (image.width != rig.width || image.height != rig.height)
-    fail("has " + sizeText(image.width, image.height) + ", the rig has " +
-         sizeText(rig.width, rig.height));
+    fail("has " + sizeText(image) + " pixels, the rig has " + sizeText(rig) +
+         " pixels");
   if (!isWhole(image))
     fail("has not all its values, in 1 or 3 channels");
 }

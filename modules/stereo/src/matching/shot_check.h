@@ -8,10 +8,6 @@
 
 namespace pcl::acmap {
 
-/** \brief "640 x 480 pixels". */
-std::string
-sizeText(int width, int height);
-
 /** \brief Rejects a rig that has invalid values or no neighbours, or whose baselines
  * differ by more than a factor of 16, because no range of disparities is suitable for
  * both.

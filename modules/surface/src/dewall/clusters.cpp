@@ -10,7 +10,7 @@ namespace {
  * are skipped. */
 class Clustering {
 public:
-  Clustering(const PointTree& tree, const SizeConstraint& size, DisjointSets connected)
+  Clustering(const PointTree& tree, const SizeConstraint& size, PointSets connected)
   : tree_(tree)
   , size_(size)
   , sets_(std::move(connected))
@@ -27,7 +27,7 @@ public:
       }
   }
 
-  DisjointSets
+  PointSets
   takeSets()
   {
     return std::move(sets_);
@@ -70,7 +70,7 @@ private:
   /** \brief Sets of the points of a leaf, so that pairs of points need not be looked up.
    */
   struct LeafSets {
-    LeafSets(const PointTree& tree, std::int32_t leaf, DisjointSets& sets)
+    LeafSets(const PointTree& tree, std::int32_t leaf, PointSets& sets)
     : first(tree.firstOfLeaf(leaf))
     , count(tree.firstOfLeaf(leaf + 1) - first)
     {
@@ -147,21 +147,21 @@ private:
 
   const PointTree& tree_;
   const SizeConstraint& size_;
-  DisjointSets sets_;
+  PointSets sets_;
   std::vector<bool> is_one_set_;   ///< for each leaf
   std::vector<bool> has_searched_; ///< for each leaf; it found its neighbours by itself
 };
 
 } // namespace
 
-DisjointSets
-findClusters(const PointTree& tree, const SizeConstraint& size, DisjointSets connected)
+PointSets
+findClusters(const PointTree& tree, const SizeConstraint& size, PointSets connected)
 {
   return Clustering(tree, size, std::move(connected)).takeSets();
 }
 
 LargeVector<std::int32_t>
-clusterSizes(DisjointSets& clusters, std::int32_t points)
+clusterSizes(PointSets& clusters, std::int32_t points)
 {
   LargeVector<std::int32_t> sizes(static_cast<std::size_t>(points));
   PollPace pace;
@@ -173,9 +173,9 @@ clusterSizes(DisjointSets& clusters, std::int32_t points)
 }
 
 std::size_t
-countClusters(const PointTree& tree, const SizeConstraint& size, DisjointSets connected)
+countClusters(const PointTree& tree, const SizeConstraint& size, PointSets connected)
 {
-  DisjointSets clusters = findClusters(tree, size, std::move(connected));
+  PointSets clusters = findClusters(tree, size, std::move(connected));
   const LargeVector<std::int32_t> sizes = clusterSizes(clusters, tree.size());
   return static_cast<std::size_t>(std::count_if(
       sizes.begin(), sizes.end(), [](auto n) { return n >= min_cluster; }));

@@ -138,7 +138,7 @@ guardedMesh(const PointTree& tree,
   timer.finish("last passes");
   countVertices(arrays, report);
   arrays.releaseVertices(); // only the triangles are needed from here on
-  DisjointSets components = findComponents(tree, lists);
+  PointSets components = findComponents(tree, lists);
   report.clusters = countClusters(tree, size, components);
   timer.finish("clusters");
   TriangleMesh result = orientedMesh(mesh,

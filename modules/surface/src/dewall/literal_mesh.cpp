@@ -9,7 +9,7 @@ namespace {
 
 /** \brief Points of each cluster of at least three, in ascending order of the first. */
 std::vector<std::vector<std::int32_t>>
-membersOf(const PointTree& tree, DisjointSets clusters)
+membersOf(const PointTree& tree, PointSets clusters)
 {
   const LargeVector<std::int32_t> sizes = clusterSizes(clusters, tree.size());
   std::vector<std::int32_t> places(sizes.size(), -1);
@@ -91,7 +91,7 @@ public:
   void
   tell(DeWallReport& report) const
   {
-    DisjointSets components(triangles_);
+    PointSets components(triangles_);
     for (std::size_t low = 0; low + 2 < first_.size(); ++low)
       for (std::size_t begin = first_[low]; begin < first_[low + 1];) {
         std::size_t end = begin + 1;
@@ -152,7 +152,7 @@ literalMesh(const PointTree& tree,
             DeWallReport& report)
 {
   const auto clusters =
-      membersOf(tree, findClusters(tree, size, DisjointSets(tree.size())));
+      membersOf(tree, findClusters(tree, size, PointSets(tree.size())));
   report.clusters = clusters.size();
   timer.finish("clusters");
   std::vector<LiteralMesh> meshes(clusters.size());

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "disjoint_sets.h"
 #include "growing_mesh.h"
 #include "point_tree.h"
 #include "poll_pace.h"
@@ -8,12 +7,15 @@
 #include "size_constraint.h"
 #include "triangle_builder.h"
 
+#include <pcl/core/impl/disjoint_sets.h>
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/surface/dewall_types.h>
 #include <pcl/surface/impl/dewall_kernel.h>
 
 namespace pcl::acmap::ACMAP_DEWALL {
+
+using PointSets = DisjointSets<std::int32_t>;
 
 /** \brief Returns the finite points of a view without repetitions, in any order: the
  * first of equal points is kept. The report's counts of skipped points are set. */
@@ -71,8 +73,8 @@ finishMesh(GrowingMesh& mesh,
  * is a chain of edges between them that satisfies the size constraint. No triangle
  * connects two clusters.
  * \param[in] connected points that are known to be connected */
-DisjointSets
-findClusters(const PointTree& tree, const SizeConstraint& size, DisjointSets connected);
+PointSets
+findClusters(const PointTree& tree, const SizeConstraint& size, PointSets connected);
 
 /** \brief Points of the smallest cluster that may have a triangle. */
 constexpr std::int32_t min_cluster = 3;
@@ -80,19 +82,17 @@ constexpr std::int32_t min_cluster = 3;
 /** \brief Number of points of each cluster, at the index of its representative; 0 for
  * all other points. */
 LargeVector<std::int32_t>
-clusterSizes(DisjointSets& clusters, std::int32_t points);
+clusterSizes(PointSets& clusters, std::int32_t points);
 
 /** \brief Returns the number of clusters of at least three points. The front is seeded
  * again in each cluster, so the clusters need not be known before. */
 std::size_t
-countClusters(const PointTree& tree,
-              const SizeConstraint& size,
-              DisjointSets connected);
+countClusters(const PointTree& tree, const SizeConstraint& size, PointSets connected);
 
 /** \brief Components of the mesh by vertices: as each vertex has only one fan,
  * triangles that share a vertex are also connected by edges. An unused point is a set of
  * its own. */
-DisjointSets
+PointSets
 findComponents(const PointTree& tree, const std::vector<TriangleList>& lists);
 
 /** \brief Sets the report's counts of used points and boundary edges. */
@@ -106,7 +106,7 @@ countVertices(const MeshArrays& arrays, DeWallReport& report);
 TriangleMesh
 orientedMesh(GrowingMesh& grown,
              const std::vector<TriangleList>& lists,
-             DisjointSets components,
+             PointSets components,
              const Eigen::Vector3d& sensor_origin,
              bool compute_wall_depth,
              DeWallReport& report);

@@ -1,7 +1,5 @@
 #include "mesh_steps.h"
 
-#include "disjoint_sets.h"
-
 namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
@@ -11,7 +9,7 @@ class Turning {
 public:
   Turning(GrowingMesh& grown,
           const std::vector<TriangleList>& lists,
-          DisjointSets components,
+          PointSets components,
           const Eigen::Vector3d& sensor)
   : grown_(grown)
   , tree_(grown.arrays().tree)
@@ -51,7 +49,7 @@ private:
 
   GrowingMesh& grown_;
   const PointTree& tree_;
-  DisjointSets components_;
+  PointSets components_;
   LargeVector<double> shown_;
 };
 
@@ -70,10 +68,10 @@ countVertices(const MeshArrays& arrays, DeWallReport& report)
   report.boundary_edges = open_ends / 2;
 }
 
-DisjointSets
+PointSets
 findComponents(const PointTree& tree, const std::vector<TriangleList>& lists)
 {
-  DisjointSets components(tree.size());
+  PointSets components(tree.size());
   PollPace pace;
   for (const TriangleList& list : lists)
     for (const GrownTriangle& triangle : *list.triangles) {
@@ -87,7 +85,7 @@ findComponents(const PointTree& tree, const std::vector<TriangleList>& lists)
 TriangleMesh
 orientedMesh(GrowingMesh& grown,
              const std::vector<TriangleList>& lists,
-             DisjointSets components,
+             PointSets components,
              const Eigen::Vector3d& sensor_origin,
              bool compute_wall_depth,
              DeWallReport& report)

@@ -3,6 +3,7 @@
 #include "ball_visit.h"
 
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/quantile.h>
 
 #include <algorithm>
 #include <array>
@@ -150,9 +151,7 @@ double
 Spacing::median() const
 {
   LargeVector<double> sorted = nearest;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return *middle;
+  return medianOf(sorted);
 }
 
 Spacing

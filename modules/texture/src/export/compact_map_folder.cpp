@@ -1,3 +1,4 @@
+#include <pcl/core/impl/size_text.h>
 #include <pcl/texture/compact_map_folder.h>
 
 #include "export/map_writers.h"
@@ -49,8 +50,7 @@ requireWholeCharts(const CompactMap& map)
                     : "the picture of cylinder " + std::to_string(i - charts)) +
         " of a map has " + std::to_string(colors.values.size()) +
         " values of colour and " + std::to_string(kinds.size()) + " kinds for " +
-        std::to_string(colors.width) + " x " + std::to_string(colors.height) +
-        " texels");
+        acmap::sizeText(colors) + " texels");
   }
 }
 

@@ -1,6 +1,7 @@
 #include "texturing/intensity_greys.h"
 
 #include <pcl/PCLPointField.h>
+#include <pcl/core/impl/quantile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,10 +61,7 @@ IntensityGreys::scaleOf(LargeVector<double> values)
   if (values.empty())
     return {0, 0};
   const auto percentile = [&](std::size_t percent) {
-    const auto place = values.begin() +
-                       static_cast<std::ptrdiff_t>(percent * (values.size() - 1) / 100);
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
+    return valueOfRank(values, percent * (values.size() - 1) / 100);
   };
   const double black = std::min(0.0, percentile(1)), bright = percentile(99);
   return {black, bright > black ? bright_level / (bright - black) : 0};

@@ -116,12 +116,4 @@ loadRgbdObservation(const RgbdFrame& frame,
 ACMAP_EXPORT Eigen::Isometry3d
 loadPose(const RgbdFrame& frame, const RgbdCameras& cameras);
 
-namespace acmap {
-
-/** \brief A size as text, with its unit. */
-ACMAP_EXPORT std::string
-sizeText(const ImageSize& size);
-
-} // namespace acmap
-
 } // namespace pcl

@@ -1,26 +1,25 @@
 #pragma once
 
-#include "variant.h"
-
 #include <pcl/core/scratch_memory.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <cstddef>
 #include <numeric>
 
-namespace pcl::acmap::ACMAP_DEWALL {
+namespace pcl::acmap {
 
-/** \brief Union-find over indices; the lowest index of a set is its root. */
+/** \brief Union-find over indices from 0; the lowest index of a set is its root. */
+template <typename Index>
 class DisjointSets {
 public:
-  explicit DisjointSets(std::int32_t size)
+  explicit DisjointSets(Index size)
   : parent_(static_cast<std::size_t>(size))
   {
-    std::iota(parent_.begin(), parent_.end(), 0);
+    std::iota(parent_.begin(), parent_.end(), Index{0});
   }
 
-  std::int32_t
-  find(std::int32_t i)
+  Index
+  find(Index i)
   {
     while (parent(i) != i)
       i = parent(i) = parent(parent(i));
@@ -28,7 +27,7 @@ public:
   }
 
   void
-  unite(std::int32_t i, std::int32_t j)
+  unite(Index i, Index j)
   {
     i = find(i);
     j = find(j);
@@ -40,19 +39,19 @@ public:
   count()
   {
     std::size_t sets = 0;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(parent_.size()); ++i)
+    for (Index i = 0; i < static_cast<Index>(parent_.size()); ++i)
       sets += parent(i) == i;
     return sets;
   }
 
 private:
-  std::int32_t&
-  parent(std::int32_t i)
+  Index&
+  parent(Index i)
   {
     return parent_[static_cast<std::size_t>(i)];
   }
 
-  LargeVector<std::int32_t> parent_;
+  LargeVector<Index> parent_;
 };
 
-} // namespace pcl::acmap::ACMAP_DEWALL
+} // namespace pcl::acmap
