@@ -36,6 +36,7 @@ DigiclopsGrabber::DigiclopsGrabber(const TrinocularRig& rig, const std::string& 
 {}
 
 DigiclopsGrabber::DigiclopsGrabber(const TrinocularRig& rig, IidcBusOpener opener)
+: StreamedGrabber("DigiclopsGrabber")
 {
   requireSoundRig(rig);
   state_.reset(new State(rig, std::move(opener)));
@@ -48,6 +49,12 @@ DigiclopsGrabber::DigiclopsGrabber(const TrinocularRig& rig, IidcBusOpener opene
 DigiclopsGrabber::~DigiclopsGrabber() noexcept
 {
   stop();
+}
+
+acmap::StreamThread&
+DigiclopsGrabber::stream() const
+{
+  return state_->stream;
 }
 
 IidcCamera&
@@ -156,24 +163,6 @@ DigiclopsGrabber::rewind()
   state_->next_number = 0;
 }
 
-void
-DigiclopsGrabber::wait()
-{
-  state_->stream.wait();
-}
-
-bool
-DigiclopsGrabber::isRunning() const
-{
-  return state_->stream.isRunning();
-}
-
-std::string
-DigiclopsGrabber::getName() const
-{
-  return "DigiclopsGrabber";
-}
-
 float
 DigiclopsGrabber::getFramesPerSecond() const
 {
@@ -185,12 +174,6 @@ TrinocularRig
 DigiclopsGrabber::getRig() const
 {
   return state_->rig;
-}
-
-std::exception_ptr
-DigiclopsGrabber::getError() const
-{
-  return state_->stream.error();
 }
 
 CameraFault

@@ -30,6 +30,7 @@ requireWholePatterns(const std::vector<RgbImage>& patterns)
 PatternSequenceGrabber::PatternSequenceGrabber(shared_ptr<TrinocularGrabber> camera,
                                                shared_ptr<PatternProjector> projector,
                                                std::vector<RgbImage> patterns)
+: StreamedGrabber("PatternSequenceGrabber")
 {
   requireWholePatterns(patterns);
   stream_ = std::make_unique<acmap::SequenceStream>(std::move(camera),
@@ -39,6 +40,12 @@ PatternSequenceGrabber::PatternSequenceGrabber(shared_ptr<TrinocularGrabber> cam
 }
 
 PatternSequenceGrabber::~PatternSequenceGrabber() noexcept = default;
+
+acmap::StreamThread&
+PatternSequenceGrabber::stream() const
+{
+  return stream_->thread();
+}
 
 void
 PatternSequenceGrabber::setSettleTime(double seconds)
@@ -105,24 +112,6 @@ PatternSequenceGrabber::rewind()
   stream_->progress().rewind();
 }
 
-void
-PatternSequenceGrabber::wait()
-{
-  stream_->thread().wait();
-}
-
-bool
-PatternSequenceGrabber::isRunning() const
-{
-  return stream_->thread().isRunning();
-}
-
-std::string
-PatternSequenceGrabber::getName() const
-{
-  return "PatternSequenceGrabber";
-}
-
 float
 PatternSequenceGrabber::getFramesPerSecond() const
 {
@@ -133,12 +122,6 @@ TrinocularRig
 PatternSequenceGrabber::getRig() const
 {
   return stream_->camera().getRig();
-}
-
-std::exception_ptr
-PatternSequenceGrabber::getError() const
-{
-  return stream_->thread().error();
 }
 
 PatternSequenceGrabberReport

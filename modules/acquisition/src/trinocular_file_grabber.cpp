@@ -3,7 +3,6 @@
 
 #include <pcl/acquisition/trinocular_file_grabber.h>
 #include <pcl/core/impl/arguments.h>
-#include <pcl/core/stream_thread.h>
 
 #include <atomic>
 #include <optional>
@@ -125,6 +124,7 @@ struct TrinocularFileGrabber::State {
 TrinocularFileGrabber::TrinocularFileGrabber(const std::string& session,
                                              float frames_per_second,
                                              bool repeat)
+: StreamedGrabber("TrinocularFileGrabber")
 {
   TrinocularFileReport report;
   auto source = acmap::openSession(session, report);
@@ -137,6 +137,7 @@ TrinocularFileGrabber::TrinocularFileGrabber(const TrinocularImageLists& images,
                                              const TrinocularRig& rig,
                                              float frames_per_second,
                                              bool repeat)
+: StreamedGrabber("TrinocularFileGrabber")
 {
   TrinocularFileReport report;
   report.frames = images.reference.size();
@@ -149,17 +150,17 @@ TrinocularFileGrabber::TrinocularFileGrabber(const TrinocularImageLists& images,
 
 TrinocularFileGrabber::~TrinocularFileGrabber() noexcept = default;
 
+acmap::StreamThread&
+TrinocularFileGrabber::stream() const
+{
+  return state_->stream;
+}
+
 void
 TrinocularFileGrabber::start()
 {
   state_->stream.add(state_->frames_per_second > 0.0F ? acmap::StreamThread::endless
                                                       : 1);
-}
-
-void
-TrinocularFileGrabber::stop()
-{
-  state_->stream.stop();
 }
 
 void
@@ -174,24 +175,6 @@ TrinocularFileGrabber::rewind()
   state_->place.rewind();
 }
 
-void
-TrinocularFileGrabber::wait()
-{
-  state_->stream.wait();
-}
-
-bool
-TrinocularFileGrabber::isRunning() const
-{
-  return state_->stream.isRunning();
-}
-
-std::string
-TrinocularFileGrabber::getName() const
-{
-  return "TrinocularFileGrabber";
-}
-
 float
 TrinocularFileGrabber::getFramesPerSecond() const
 {
@@ -202,12 +185,6 @@ TrinocularRig
 TrinocularFileGrabber::getRig() const
 {
   return state_->source->rig();
-}
-
-std::exception_ptr
-TrinocularFileGrabber::getError() const
-{
-  return state_->stream.error();
 }
 
 std::size_t

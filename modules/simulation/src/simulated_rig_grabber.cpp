@@ -4,7 +4,6 @@
 
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/parallel.h>
-#include <pcl/core/stream_thread.h>
 
 #include <atomic>
 #include <mutex>
@@ -92,7 +91,8 @@ private:
 
 SimulatedRigGrabber::SimulatedRigGrabber(
     std::unique_ptr<const acmap::RigSimulation> simulation)
-: simulation_(std::move(simulation))
+: StreamedGrabber("SimulatedRigGrabber")
+, simulation_(std::move(simulation))
 , stream_(std::make_unique<Stream>(*simulation_, *createSignal<FrameCallback>()))
 {}
 
@@ -112,6 +112,12 @@ SimulatedRigGrabber::SimulatedRigGrabber(const SimulatedScene& scene,
 }
 
 SimulatedRigGrabber::~SimulatedRigGrabber() noexcept = default;
+
+acmap::StreamThread&
+SimulatedRigGrabber::stream() const
+{
+  return stream_->thread();
+}
 
 void
 SimulatedRigGrabber::setSeed(std::uint64_t seed)
@@ -167,12 +173,6 @@ SimulatedRigGrabber::start()
 }
 
 void
-SimulatedRigGrabber::stop()
-{
-  stream_->thread().stop();
-}
-
-void
 SimulatedRigGrabber::trigger()
 {
   stream_->thread().add(1);
@@ -182,30 +182,6 @@ void
 SimulatedRigGrabber::rewind()
 {
   stream_->rewind();
-}
-
-bool
-SimulatedRigGrabber::isRunning() const
-{
-  return stream_->thread().isRunning();
-}
-
-void
-SimulatedRigGrabber::wait()
-{
-  stream_->thread().wait();
-}
-
-std::exception_ptr
-SimulatedRigGrabber::getError() const
-{
-  return stream_->thread().error();
-}
-
-std::string
-SimulatedRigGrabber::getName() const
-{
-  return "SimulatedRigGrabber";
 }
 
 float

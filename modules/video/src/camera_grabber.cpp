@@ -4,7 +4,6 @@
 
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/rig_cameras.h>
-#include <pcl/core/stream_thread.h>
 #include <pcl/video/camera_grabber.h>
 
 #include <algorithm>
@@ -474,6 +473,7 @@ struct CameraGrabber::State {
 CameraGrabber::CameraGrabber(const TrinocularRig& rig,
                              const std::vector<std::string>& devices,
                              VideoOpener opener)
+: StreamedGrabber("CameraGrabber")
 {
   requireSoundRig(rig);
   requireDevices(rig, devices);
@@ -487,6 +487,12 @@ CameraGrabber::CameraGrabber(const TrinocularRig& rig,
 CameraGrabber::~CameraGrabber() noexcept
 {
   stop();
+}
+
+acmap::StreamThread&
+CameraGrabber::stream() const
+{
+  return state_->stream;
 }
 
 void
@@ -650,24 +656,6 @@ CameraGrabber::rewind()
   state_->next_number = 0;
 }
 
-void
-CameraGrabber::wait()
-{
-  state_->stream.wait();
-}
-
-bool
-CameraGrabber::isRunning() const
-{
-  return state_->stream.isRunning();
-}
-
-std::string
-CameraGrabber::getName() const
-{
-  return "CameraGrabber";
-}
-
 float
 CameraGrabber::getFramesPerSecond() const
 {
@@ -679,12 +667,6 @@ TrinocularRig
 CameraGrabber::getRig() const
 {
   return state_->rig;
-}
-
-std::exception_ptr
-CameraGrabber::getError() const
-{
-  return state_->stream.error();
 }
 
 CameraGrabberReport

@@ -3,7 +3,7 @@
 #include <pcl/acquisition/channel_order.h>
 #include <pcl/acquisition/iidc_camera.h>
 #include <pcl/core/report.h>
-#include <pcl/core/trinocular_grabber.h>
+#include <pcl/core/streamed_grabber.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -65,7 +65,7 @@ struct DigiclopsGrabberReport : Report {
  * grabber.start ();
  * \endcode
  * \ingroup acquisition */
-class ACMAP_EXPORT DigiclopsGrabber : public TrinocularGrabber {
+class ACMAP_EXPORT DigiclopsGrabber : public acmap::StreamedGrabber {
 public:
   using Ptr = shared_ptr<DigiclopsGrabber>;
 
@@ -161,25 +161,12 @@ public:
   void
   rewind() override;
 
-  void
-  wait() override;
-
-  bool
-  isRunning() const override;
-
-  /** \brief "DigiclopsGrabber". */
-  std::string
-  getName() const override;
-
   /** \brief The frame rate that the camera was set to. */
   float
   getFramesPerSecond() const override;
 
   TrinocularRig
   getRig() const override;
-
-  std::exception_ptr
-  getError() const override;
 
   /** \brief The fault that ended the last stream; None if there was no error or if a
    * callback threw another exception. */
@@ -191,6 +178,9 @@ public:
   getReport() const;
 
 private:
+  acmap::StreamThread&
+  stream() const override;
+
   struct State;
   std::unique_ptr<State> state_;
 };

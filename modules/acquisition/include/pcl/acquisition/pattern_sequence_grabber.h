@@ -2,7 +2,7 @@
 
 #include <pcl/acquisition/pattern_projector.h>
 #include <pcl/core/report.h>
-#include <pcl/core/trinocular_grabber.h>
+#include <pcl/core/streamed_grabber.h>
 
 #include <cstddef>
 #include <functional>
@@ -40,7 +40,9 @@ struct PatternSequenceGrabberReport : Report {
  * observation. The projector is dark before the first shot and after the end of a
  * stream. Callbacks run in the thread of this grabber, not in that of the camera. While
  * this grabber is used, the camera must not be started or stopped by others, and this
- * grabber must not be started or stopped from a callback of the camera.
+ * grabber must not be started or stopped from a callback of the camera. The error of a
+ * stream is what the camera, the projector or a callback has thrown, or a
+ * CameraException (CameraFault::Silent) when the camera gave no shot in time.
  * \code
  * pcl::PatternSequenceGrabber grabber (camera, projector, patterns);
  * grabber.registerCallback (record);
@@ -48,7 +50,7 @@ struct PatternSequenceGrabberReport : Report {
  * grabber.wait ();
  * \endcode
  * \ingroup acquisition */
-class ACMAP_EXPORT PatternSequenceGrabber : public TrinocularGrabber {
+class ACMAP_EXPORT PatternSequenceGrabber : public acmap::StreamedGrabber {
 public:
   /** \brief Called after each shot under a pattern except the last one, in the thread
    * of the stream and after the callbacks. Returning false ends the observation early.
@@ -118,16 +120,6 @@ public:
   void
   rewind() override;
 
-  void
-  wait() override;
-
-  bool
-  isRunning() const override;
-
-  /** \brief "PatternSequenceGrabber". */
-  std::string
-  getName() const override;
-
   /** \brief Returns 0, which in PCL means that there is no fixed rate. */
   float
   getFramesPerSecond() const override;
@@ -135,17 +127,14 @@ public:
   TrinocularRig
   getRig() const override;
 
-  /** \brief The exception that ended the stream, thrown by the camera, the projector or
-   * a callback; CameraException (CameraFault::Silent) when the camera gave no shot in
-   * time. */
-  std::exception_ptr
-  getError() const override;
-
   /** \brief May be called while it streams. */
   PatternSequenceGrabberReport
   getReport() const;
 
 private:
+  acmap::StreamThread&
+  stream() const override;
+
   std::unique_ptr<acmap::SequenceStream> stream_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/report.h>
-#include <pcl/core/trinocular_grabber.h>
+#include <pcl/core/streamed_grabber.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -78,7 +78,7 @@ struct TrinocularImageLists {
  *   std::rethrow_exception (grabber.getError ());
  * \endcode
  * \ingroup acquisition */
-class ACMAP_EXPORT TrinocularFileGrabber : public TrinocularGrabber {
+class ACMAP_EXPORT TrinocularFileGrabber : public acmap::StreamedGrabber {
 public:
   /** \brief Opens a session. A session that was never finished is accepted and noted in
    * the report.
@@ -109,32 +109,16 @@ public:
   start() override;
 
   void
-  stop() override;
-
-  void
   trigger() override;
 
   void
   rewind() override;
-
-  void
-  wait() override;
-
-  bool
-  isRunning() const override;
-
-  /** \brief `TrinocularFileGrabber` */
-  std::string
-  getName() const override;
 
   float
   getFramesPerSecond() const override;
 
   TrinocularRig
   getRig() const override;
-
-  std::exception_ptr
-  getError() const override;
 
   /** \brief Number of frames, including broken ones. */
   std::size_t
@@ -162,6 +146,9 @@ public:
   getReport() const;
 
 private:
+  acmap::StreamThread&
+  stream() const override;
+
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -3,7 +3,7 @@
 #include <pcl/core/build_config.h>
 #include <pcl/core/image_file.h>
 #include <pcl/core/rig_calibration.h>
-#include <pcl/core/trinocular_grabber.h>
+#include <pcl/core/streamed_grabber.h>
 #include <pcl/simulation/simulated_light.h>
 #include <pcl/simulation/simulated_scene.h>
 
@@ -47,7 +47,7 @@ class RigSimulation;
  * grabber.wait ();
  * \endcode
  * \ingroup simulation */
-class ACMAP_EXPORT SimulatedRigGrabber : public TrinocularGrabber {
+class ACMAP_EXPORT SimulatedRigGrabber : public acmap::StreamedGrabber {
 public:
   using Ptr = shared_ptr<SimulatedRigGrabber>;
   using ConstPtr = shared_ptr<const SimulatedRigGrabber>;
@@ -105,26 +105,10 @@ public:
   start() override;
 
   void
-  stop() override;
-
-  void
   trigger() override;
 
   void
   rewind() override;
-
-  bool
-  isRunning() const override;
-
-  void
-  wait() override;
-
-  std::exception_ptr
-  getError() const override;
-
-  /** \brief "SimulatedRigGrabber". */
-  std::string
-  getName() const override;
 
   /** \brief Returns 14, which is the rate of the time stamps. Frames are delivered as
    * fast as they are computed. */
@@ -142,6 +126,9 @@ public:
   observe(std::size_t observation) const;
 
 private:
+  acmap::StreamThread&
+  stream() const override;
+
   class Stream;
 
   SimulatedRigGrabber(std::unique_ptr<const acmap::RigSimulation> simulation);

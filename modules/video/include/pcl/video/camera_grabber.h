@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pcl/core/report.h>
-#include <pcl/core/trinocular_grabber.h>
+#include <pcl/core/streamed_grabber.h>
 #include <pcl/video/video_source.h>
 
 #include <cstddef>
@@ -82,7 +82,7 @@ struct CameraGrabberReport : Report {
  *   std::rethrow_exception (grabber.getError ());
  * \endcode
  * \ingroup video */
-class ACMAP_EXPORT CameraGrabber : public TrinocularGrabber {
+class ACMAP_EXPORT CameraGrabber : public acmap::StreamedGrabber {
 public:
   using Ptr = shared_ptr<CameraGrabber>;
 
@@ -198,16 +198,6 @@ public:
   void
   rewind() override;
 
-  void
-  wait() override;
-
-  bool
-  isRunning() const override;
-
-  /** \brief "CameraGrabber". */
-  std::string
-  getName() const override;
-
   /** \brief Rate of a stream, Hz. */
   float
   getFramesPerSecond() const override;
@@ -215,14 +205,14 @@ public:
   TrinocularRig
   getRig() const override;
 
-  std::exception_ptr
-  getError() const override;
-
   /** \brief May be called while it streams. */
   CameraGrabberReport
   getReport() const;
 
 private:
+  acmap::StreamThread&
+  stream() const override;
+
   struct State;
   std::unique_ptr<State> state_;
 };
