@@ -1,16 +1,14 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
-#include <pcl/core/stage_controls.h>
 #include <pcl/mapping/entropy_rectification_types.h>
 #include <pcl/mapping/impl/rectification_kernel.h>
+#include <pcl/mapping/posed_clouds.h>
 #include <pcl/memory.h>
-#include <pcl/point_cloud.h>
 
 #include <Eigen/Geometry>
 
 #include <cstdint>
-#include <vector>
 
 namespace pcl {
 
@@ -53,47 +51,11 @@ namespace pcl {
  * \ingroup mapping
  */
 template <typename PointT>
-class EntropyRectification : public StageControls<EntropyRectificationReport> {
+class EntropyRectification
+: public acmap::RegisteredClouds<PointT, EntropyRectificationReport> {
 public:
   using Ptr = shared_ptr<EntropyRectification<PointT>>;
   using ConstPtr = shared_ptr<const EntropyRectification<PointT>>;
-  using PointCloud = pcl::PointCloud<PointT>;
-  using PointCloudPtr = typename PointCloud::Ptr;
-  using PointCloudConstPtr = typename PointCloud::ConstPtr;
-
-  /** \brief Adds an observation; the order must be that in which they were made.
-   * \param[in] cloud in the sensor's frame; it must not be changed afterwards; points
-   * may be NaN
-   * \param[in] pose T_map_camera
-   * \param[in] weights weight of each point, as in \ref MapEntropy; empty: 1
-   * \return its number
-   * \throws BadArgumentException when the cloud is missing, the pose is not a rigid
-   * motion, or the weights are not one per point, finite and >= 0 */
-  std::size_t
-  addPointCloud(const PointCloudConstPtr& cloud,
-                const Eigen::Isometry3d& pose,
-                const std::vector<float>& weights = {});
-
-  /** \brief Sets the initial pose of an observation for \ref compute.
-   * \throws BadArgumentException as \ref addPointCloud, or when there is no such
-   * observation */
-  void
-  setPose(std::size_t number, const Eigen::Isometry3d& pose);
-
-  /** \brief T_map_camera: the rectified pose after \ref compute, the given pose
-   * before. */
-  const Eigen::Isometry3d&
-  getPose(std::size_t number) const;
-
-  std::size_t
-  getNumberOfPointClouds() const
-  {
-    return clouds_.size();
-  }
-
-  /** \brief Removes all observations. */
-  void
-  clear();
 
   /** \brief Sets the search mode (default Guarded). */
   void
@@ -215,25 +177,10 @@ public:
   void
   compute();
 
-  /** \brief Same as \ref getPose, in the type that PCL uses for transformations. */
-  Eigen::Affine3f
-  getTransformation(std::size_t number) const;
-
-  /** \brief Returns an observation in the frame of the map. */
-  PointCloudPtr
-  getTransformedCloud(std::size_t number) const;
-
-  /** \brief Returns all observations in the frame of the map. */
-  PointCloudPtr
-  getConcatenatedCloud() const;
-
 private:
   acmap::RectificationSettings settings_;
   bool has_odometry_noise_ = false; ///< was it set?
   Eigen::Vector3d up_ = -Eigen::Vector3d::UnitY();
-  std::vector<PointCloudConstPtr> clouds_;
-  std::vector<std::vector<float>> weights_;
-  std::vector<Eigen::Isometry3d> given_, poses_;
 };
 
 } // namespace pcl

@@ -2,11 +2,10 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/planar_pose.h>
-#include <pcl/core/stage_controls.h>
 #include <pcl/mapping/impl/map_entropy_kernel.h>
 #include <pcl/mapping/map_entropy_types.h>
+#include <pcl/mapping/posed_clouds.h>
 #include <pcl/memory.h>
-#include <pcl/point_cloud.h>
 
 #include <Eigen/Core>
 
@@ -55,11 +54,13 @@ namespace pcl {
  * \ingroup mapping
  */
 template <typename PointT>
-class MapEntropy : public StageControls<MapEntropyReport> {
+class MapEntropy : public acmap::PosedClouds<PointT, PlanarPose, MapEntropyReport> {
+  using Base = acmap::PosedClouds<PointT, PlanarPose, MapEntropyReport>;
+
 public:
   using Ptr = shared_ptr<MapEntropy<PointT>>;
   using ConstPtr = shared_ptr<const MapEntropy<PointT>>;
-  using PointCloudConstPtr = typename PointCloud<PointT>::ConstPtr;
+  using typename Base::PointCloudConstPtr;
 
   /** \brief Adds an observation.
    * \param[in] cloud in the sensor's frame; it must not be changed afterwards; points
@@ -75,22 +76,6 @@ public:
   addPointCloud(const PointCloudConstPtr& cloud,
                 const PlanarPose& pose = {},
                 const std::vector<float>& weights = {});
-
-  /** \brief Sets the pose of observation \a number; its cells are kept.
-   * \throws BadArgumentException as \ref addPointCloud, or when there is no such
-   * observation */
-  void
-  setPose(std::size_t number, const PlanarPose& pose);
-
-  /** \throws BadArgumentException when there is no such observation */
-  const PlanarPose&
-  getPose(std::size_t number) const;
-
-  std::size_t
-  getNumberOfPointClouds() const
-  {
-    return poses_.size();
-  }
 
   /** \brief Removes all observations. */
   void
@@ -176,9 +161,6 @@ private:
   viewOf(std::size_t number) const;
 
   acmap::MapEntropySettings settings_;
-  std::vector<PointCloudConstPtr> clouds_;
-  std::vector<PlanarPose> poses_;
-  std::vector<std::vector<float>> weights_;
   std::vector<acmap::EntropyCells> cells_; ///< cache; of the first observations
   std::optional<acmap::MapEntropyEvaluator> evaluator_; ///< cache; of all observations
 };

@@ -1,16 +1,14 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
-#include <pcl/core/stage_controls.h>
 #include <pcl/mapping/impl/levelling_kernel.h>
 #include <pcl/mapping/map_levelling_types.h>
+#include <pcl/mapping/posed_clouds.h>
 #include <pcl/memory.h>
-#include <pcl/point_cloud.h>
 
 #include <Eigen/Geometry>
 
 #include <optional>
-#include <vector>
 
 namespace pcl {
 
@@ -43,26 +41,13 @@ namespace pcl {
  * \endcode
  * \ingroup mapping */
 template <typename PointT>
-class MapLevelling : public StageControls<MapLevellingReport> {
+class MapLevelling
+: public acmap::PosedClouds<PointT, Eigen::Isometry3d, MapLevellingReport> {
+  using Base = acmap::PosedClouds<PointT, Eigen::Isometry3d, MapLevellingReport>;
+
 public:
   using Ptr = shared_ptr<MapLevelling<PointT>>;
   using ConstPtr = shared_ptr<const MapLevelling<PointT>>;
-  using PointCloud = pcl::PointCloud<PointT>;
-  using PointCloudConstPtr = typename PointCloud::ConstPtr;
-
-  /** \brief Adds an observation, in the order in which they were made.
-   * \param[in] cloud in the sensor's frame, with normals that may be NaN; it must not be
-   * changed afterwards; points may be NaN
-   * \param[in] pose T_map_camera
-   * \param[in] weights weight of each point, such as the area that it represents; empty:
-   * 1
-   * \return its number
-   * \throws BadArgumentException when the cloud is missing, the pose is not a rigid
-   * motion, or the weights are not one per point, finite and >= 0 */
-  std::size_t
-  addPointCloud(const PointCloudConstPtr& cloud,
-                const Eigen::Isometry3d& pose,
-                const std::vector<float>& weights = {});
 
   /** \brief Sets the up direction instead of estimating it.
    * \param[in] up in the given map frame, of any length above 0
@@ -84,12 +69,6 @@ public:
     return given_up_;
   }
 
-  std::size_t
-  getNumberOfPointClouds() const
-  {
-    return clouds_.size();
-  }
-
   /** \brief Removes all observations. */
   void
   clear();
@@ -108,15 +87,8 @@ public:
     return rotation_;
   }
 
-  /** \brief T_level_camera after \ref compute, the given pose before. */
-  Eigen::Isometry3d
-  getPose(std::size_t number) const;
-
 private:
   std::optional<Eigen::Vector3d> given_up_;
-  std::vector<PointCloudConstPtr> clouds_;
-  std::vector<std::vector<float>> weights_;
-  std::vector<Eigen::Isometry3d> given_;
   Eigen::Quaterniond rotation_ = Eigen::Quaterniond::Identity();
 };
 

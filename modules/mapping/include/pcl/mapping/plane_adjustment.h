@@ -1,11 +1,10 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
-#include <pcl/core/stage_controls.h>
 #include <pcl/mapping/impl/plane_adjustment_kernel.h>
 #include <pcl/mapping/plane_adjustment_types.h>
+#include <pcl/mapping/posed_clouds.h>
 #include <pcl/memory.h>
-#include <pcl/point_cloud.h>
 
 #include <Eigen/Geometry>
 
@@ -46,16 +45,16 @@ namespace pcl {
  * \endcode
  * \ingroup mapping */
 template <typename PointT>
-class PlaneAdjustment : public StageControls<PlaneAdjustmentReport> {
+class PlaneAdjustment : public acmap::RegisteredClouds<PointT, PlaneAdjustmentReport> {
+  using Base = acmap::RegisteredClouds<PointT, PlaneAdjustmentReport>;
+
 public:
   using Ptr = shared_ptr<PlaneAdjustment<PointT>>;
   using ConstPtr = shared_ptr<const PlaneAdjustment<PointT>>;
-  using PointCloud = pcl::PointCloud<PointT>;
-  using PointCloudPtr = typename PointCloud::Ptr;
-  using PointCloudConstPtr = typename PointCloud::ConstPtr;
+  using typename Base::PointCloudConstPtr;
 
   /** \brief Returns a view; it is called from several threads. */
-  using Loader = std::function<PointCloudConstPtr()>;
+  using typename Base::Loader;
 
   /** \brief Adds a view; the order must be that in which they were made.
    * \param[in] cloud in the sensor's frame; it must not be changed afterwards; points
@@ -72,21 +71,6 @@ public:
    * \throws BadArgumentException when the pose is not a rigid motion */
   std::size_t
   addPointCloudLoader(Loader loader, const Eigen::Isometry3d& pose);
-
-  /** \brief Sets the initial pose of a view for \ref compute.
-   * \throws BadArgumentException as \ref addPointCloud, or when there is no such view */
-  void
-  setPose(std::size_t number, const Eigen::Isometry3d& pose);
-
-  /** \brief T_map_camera: the adjusted pose after \ref compute, the given pose before. */
-  const Eigen::Isometry3d&
-  getPose(std::size_t number) const;
-
-  std::size_t
-  getNumberOfPointClouds() const
-  {
-    return loaders_.size();
-  }
 
   /** \brief Removes all views, the covariances of their actions and the revisits. */
   void
@@ -165,22 +149,8 @@ public:
   void
   compute();
 
-  /** \brief Same as \ref getPose, in the type that PCL uses for transformations. */
-  Eigen::Affine3f
-  getTransformation(std::size_t number) const;
-
-  /** \brief Returns a view in the frame of the map. */
-  PointCloudPtr
-  getTransformedCloud(std::size_t number) const;
-
-  /** \brief Returns all views in the frame of the map. */
-  PointCloudPtr
-  getConcatenatedCloud() const;
-
 private:
   acmap::PlaneAdjustmentSettings settings_;
-  std::vector<Loader> loaders_;
-  std::vector<Eigen::Isometry3d> given_, poses_;
 };
 
 } // namespace pcl

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <pcl/core/impl/arguments.h>
-#include <pcl/core/impl/parallel.h>
-#include <pcl/core/impl/point_fields.h>
+#include <pcl/mapping/impl/posed_clouds.h>
 #include <pcl/mapping/map_entropy.h>
 
 #include <algorithm>
@@ -16,41 +14,16 @@ MapEntropy<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
                                   const PlanarPose& pose,
                                   const std::vector<float>& weights)
 {
-  if (!cloud)
-    throw BadArgumentException("an observation needs a cloud");
-  acmap::requirePlanarPose(pose);
-  acmap::requirePointWeights(weights, cloud->size());
-  clouds_.push_back(cloud);
-  poses_.push_back(pose);
-  weights_.push_back(weights);
+  const std::size_t number = Base::addPointCloud(cloud, pose, weights);
   evaluator_.reset();
-  return poses_.size() - 1;
-}
-
-template <typename PointT>
-void
-MapEntropy<PointT>::setPose(std::size_t number, const PlanarPose& pose)
-{
-  acmap::requireObservation(number, poses_.size());
-  acmap::requirePlanarPose(pose);
-  poses_[number] = pose;
-}
-
-template <typename PointT>
-const PlanarPose&
-MapEntropy<PointT>::getPose(std::size_t number) const
-{
-  acmap::requireObservation(number, poses_.size());
-  return poses_[number];
+  return number;
 }
 
 template <typename PointT>
 void
 MapEntropy<PointT>::clear()
 {
-  clouds_.clear();
-  poses_.clear();
-  weights_.clear();
+  Base::clear();
   cells_.clear();
   evaluator_.reset();
 }
@@ -98,15 +71,15 @@ template <typename PointT>
 acmap::PosedPoints
 MapEntropy<PointT>::viewOf(std::size_t number) const
 {
-  const PointCloud<PointT>& cloud = *clouds_[number];
+  const PointCloud<PointT>& cloud = *this->loaders_[number]();
   acmap::PosedPoints view;
-  view.pose = poses_[number];
+  view.pose = this->poses_[number];
   if (cloud.empty())
     return view;
   view.points = acmap::pointsOf(cloud);
   view.normals = acmap::normalsOf(cloud);
-  if (!weights_[number].empty())
-    view.weights = weights_[number].data();
+  if (!this->weights_[number].empty())
+    view.weights = this->weights_[number].data();
   return view;
 }
 
@@ -115,13 +88,13 @@ void
 MapEntropy<PointT>::makeCells(const acmap::Progress& progress)
 {
   constexpr std::size_t batch = 16; // between two calls of the progress
-  while (cells_.size() < clouds_.size()) {
+  while (cells_.size() < this->poses_.size()) {
     progress.tell(0.9 * static_cast<double>(cells_.size()) /
-                      static_cast<double>(clouds_.size()),
+                      static_cast<double>(this->poses_.size()),
                   "cells");
     const std::size_t first = cells_.size();
-    std::vector<acmap::EntropyCells> more(std::min(batch, clouds_.size() - first));
-    acmap::withThreads(threads_, [&] {
+    std::vector<acmap::EntropyCells> more(std::min(batch, this->poses_.size() - first));
+    acmap::withThreads(this->threads_, [&] {
       oneapi::tbb::parallel_for(std::size_t{0}, more.size(), [&](std::size_t i) {
         const acmap::PosedPoints view = viewOf(first + i);
         more[i] =
@@ -136,9 +109,9 @@ template <typename PointT>
 MapEntropyTerms
 MapEntropy<PointT>::evaluate(std::vector<Eigen::Vector3d>* gradient)
 {
-  if (clouds_.empty())
+  if (this->poses_.empty())
     PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
-  const acmap::Progress progress(progress_);
+  const acmap::Progress progress(this->progress_);
   MapEntropyReport report;
   acmap::StepTimer timer(report);
   makeCells(progress);
@@ -147,10 +120,11 @@ MapEntropy<PointT>::evaluate(std::vector<Eigen::Vector3d>* gradient)
   timer.finish("cells");
   progress.tell(0.9, "entropy");
   MapEntropyTerms terms;
-  acmap::withThreads(threads_,
-                     [&] { terms = evaluator_->evaluate(poses_, report, gradient); });
+  acmap::withThreads(this->threads_, [&] {
+    terms = evaluator_->evaluate(this->poses_, report, gradient);
+  });
   timer.finish("entropy");
-  report_ = std::move(report);
+  this->report_ = std::move(report);
   return terms;
 }
 
@@ -175,23 +149,27 @@ template <typename PointT>
 MapEntropyTerms
 MapEntropy<PointT>::computeExact()
 {
-  if (clouds_.empty())
+  if (this->poses_.empty())
     PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
   MapEntropyReport report;
   acmap::StepTimer timer(report);
   std::vector<acmap::PosedPoints> views;
-  for (std::size_t i = 0; i < clouds_.size(); ++i)
+  for (std::size_t i = 0; i < this->poses_.size(); ++i)
     views.push_back(viewOf(i));
   MapEntropyTerms terms;
-  acmap::withThreads(threads_, [&] {
-    terms =
-        acmap::exactMapEntropy(views, settings_, acmap::Progress(progress_), report);
+  acmap::withThreads(this->threads_, [&] {
+    terms = acmap::exactMapEntropy(
+        views, settings_, acmap::Progress(this->progress_), report);
   });
   timer.finish("entropy");
-  report_ = std::move(report);
+  this->report_ = std::move(report);
   return terms;
 }
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_MapEntropy(T) template class ACMAP_EXPORT pcl::MapEntropy<T>;
+#define PCL_INSTANTIATE_MapEntropy(T) \
+  PCL_INSTANTIATE_PosedClouds(        \
+      T,                              \
+      pcl::PlanarPose,                \
+      pcl::MapEntropyReport) template class ACMAP_EXPORT pcl::MapEntropy<T>;

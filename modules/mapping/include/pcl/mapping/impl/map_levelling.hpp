@@ -1,10 +1,6 @@
 #pragma once
 
-#include <pcl/core/impl/arguments.h>
-#include <pcl/core/impl/parallel.h>
-#include <pcl/core/impl/point_fields.h>
-#include <pcl/mapping/impl/map_entropy_kernel.h>
-#include <pcl/mapping/impl/rectification_kernel.h>
+#include <pcl/mapping/impl/posed_clouds.h>
 #include <pcl/mapping/map_levelling.h>
 
 namespace pcl {
@@ -20,22 +16,6 @@ surfaceOf(const PointCloud<PointT>& cloud, const std::vector<float>& weights)
 } // namespace acmap
 
 template <typename PointT>
-std::size_t
-MapLevelling<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
-                                    const Eigen::Isometry3d& pose,
-                                    const std::vector<float>& weights)
-{
-  if (!cloud)
-    throw BadArgumentException("an observation needs a cloud");
-  acmap::requireMapPose(pose);
-  acmap::requirePointWeights(weights, cloud->size());
-  clouds_.push_back(cloud);
-  weights_.push_back(weights);
-  given_.push_back(pose);
-  return given_.size() - 1;
-}
-
-template <typename PointT>
 void
 MapLevelling<PointT>::setUpDirection(const Eigen::Vector3d& up)
 {
@@ -46,9 +26,7 @@ template <typename PointT>
 void
 MapLevelling<PointT>::clear()
 {
-  clouds_.clear();
-  weights_.clear();
-  given_.clear();
+  Base::clear();
   rotation_.setIdentity();
 }
 
@@ -56,16 +34,16 @@ template <typename PointT>
 void
 MapLevelling<PointT>::compute()
 {
-  if (clouds_.empty())
+  if (this->poses_.empty())
     PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
   MapLevellingReport report;
   acmap::StepTimer timer(report);
-  const acmap::Progress progress(progress_);
+  const acmap::Progress progress(this->progress_);
   progress.tell(0, "levelling");
-  std::vector<acmap::ObservedSurface> observations(clouds_.size());
-  acmap::withThreads(threads_, [&] {
-    oneapi::tbb::parallel_for(std::size_t{0}, clouds_.size(), [&](std::size_t i) {
-      observations[i] = acmap::surfaceOf(*clouds_[i], weights_[i]);
+  std::vector<acmap::ObservedSurface> observations(this->poses_.size());
+  acmap::withThreads(this->threads_, [&] {
+    oneapi::tbb::parallel_for(std::size_t{0}, this->poses_.size(), [&](std::size_t i) {
+      observations[i] = acmap::surfaceOf(*this->loaders_[i](), this->weights_[i]);
     });
   });
   for (const acmap::ObservedSurface& seen : observations) {
@@ -73,24 +51,21 @@ MapLevelling<PointT>::compute()
     report.invalid_points += seen.invalid_points;
   }
   const Eigen::Quaterniond rotation =
-      acmap::levelMap(observations, given_, given_up_, report);
+      acmap::levelMap(observations, this->given_, given_up_, report);
   progress.tell(1, "levelling");
   timer.finish("level");
   rotation_ = rotation;
-  report_ = std::move(report);
-}
-
-template <typename PointT>
-Eigen::Isometry3d
-MapLevelling<PointT>::getPose(std::size_t number) const
-{
-  acmap::requireObservation(number, given_.size());
-  if (rotation_.isApprox(Eigen::Quaterniond::Identity(), 0)) // bitwise the given pose
-    return given_[number];
-  return rotation_ * given_[number];
+  this->poses_ = this->given_;
+  if (!rotation.isApprox(Eigen::Quaterniond::Identity(), 0)) // else bitwise the same
+    for (Eigen::Isometry3d& pose : this->poses_)
+      pose = rotation * pose;
+  this->report_ = std::move(report);
 }
 
 } // namespace pcl
 
 #define PCL_INSTANTIATE_MapLevelling(T) \
-  template class ACMAP_EXPORT pcl::MapLevelling<T>;
+  PCL_INSTANTIATE_PosedClouds(          \
+      T,                                \
+      Eigen::Isometry3d,                \
+      pcl::MapLevellingReport) template class ACMAP_EXPORT pcl::MapLevelling<T>;

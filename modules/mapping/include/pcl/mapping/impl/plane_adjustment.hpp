@@ -1,12 +1,7 @@
 #pragma once
 
-#include <pcl/common/transforms.h>
-#include <pcl/core/impl/arguments.h>
-#include <pcl/core/impl/parallel.h>
-#include <pcl/core/impl/point_fields.h>
 #include <pcl/core/point_types.h>
-#include <pcl/mapping/impl/map_entropy_kernel.h>
-#include <pcl/mapping/impl/rectification_kernel.h>
+#include <pcl/mapping/impl/posed_clouds.h>
 #include <pcl/mapping/plane_adjustment.h>
 
 #include <string>
@@ -51,38 +46,14 @@ std::size_t
 PlaneAdjustment<PointT>::addPointCloudLoader(Loader loader,
                                              const Eigen::Isometry3d& pose)
 {
-  acmap::requireMapPose(pose);
-  loaders_.push_back(std::move(loader));
-  given_.push_back(pose);
-  poses_.push_back(pose);
-  return poses_.size() - 1;
-}
-
-template <typename PointT>
-void
-PlaneAdjustment<PointT>::setPose(std::size_t number, const Eigen::Isometry3d& pose)
-{
-  acmap::requireObservation(number, poses_.size());
-  acmap::requireMapPose(pose);
-  given_[number] = pose;
-  poses_[number] = pose;
-}
-
-template <typename PointT>
-const Eigen::Isometry3d&
-PlaneAdjustment<PointT>::getPose(std::size_t number) const
-{
-  acmap::requireObservation(number, poses_.size());
-  return poses_[number];
+  return this->add(std::move(loader), pose, {});
 }
 
 template <typename PointT>
 void
 PlaneAdjustment<PointT>::clear()
 {
-  loaders_.clear();
-  given_.clear();
-  poses_.clear();
+  Base::clear();
   settings_.action_covariances.clear();
   settings_.revisits.clear();
 }
@@ -94,7 +65,7 @@ PlaneAdjustment<PointT>::addRevisit(std::size_t earlier,
                                     const Eigen::Isometry3d& T_earlier_later,
                                     const Eigen::Matrix<double, 6, 6>& covariance)
 {
-  acmap::requireObservation(later, poses_.size());
+  acmap::requireObservation(later, this->poses_.size());
   if (earlier >= later)
     throw BadArgumentException("a revisit needs the earlier view first, not " +
                                std::to_string(earlier) + " and " +
@@ -126,58 +97,27 @@ template <typename PointT>
 void
 PlaneAdjustment<PointT>::compute()
 {
-  if (loaders_.empty())
+  if (this->poses_.empty())
     PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
   PlaneAdjustmentReport report;
   const acmap::AdjustedViewReader read =
       [this](std::size_t i,
              const std::function<void(const acmap::AdjustedView&)>& use) {
-        const PointCloudConstPtr cloud = loaders_[i]();
+        const PointCloudConstPtr cloud = this->loaders_[i]();
         use(cloud ? acmap::adjustedViewOf(*cloud) : acmap::AdjustedView());
       };
   std::vector<Eigen::Isometry3d> poses;
-  acmap::withThreads(threads_, [&] {
+  acmap::withThreads(this->threads_, [&] {
     poses = acmap::adjustPlanes(
-        read, given_, settings_, acmap::Progress(progress_), report);
+        read, this->given_, settings_, acmap::Progress(this->progress_), report);
   });
-  poses_ = std::move(poses);
-  report_ = std::move(report);
-}
-
-template <typename PointT>
-Eigen::Affine3f
-PlaneAdjustment<PointT>::getTransformation(std::size_t number) const
-{
-  return Eigen::Affine3f(getPose(number).template cast<float>().matrix());
-}
-
-template <typename PointT>
-typename PlaneAdjustment<PointT>::PointCloudPtr
-PlaneAdjustment<PointT>::getTransformedCloud(std::size_t number) const
-{
-  const Eigen::Affine3f pose = getTransformation(number);
-  const PointCloudConstPtr cloud = loaders_[number]();
-  PointCloudPtr result(new PointCloud);
-  if (!cloud)
-    return result;
-  if constexpr (acmap::has_normal<PointT>)
-    transformPointCloudWithNormals(*cloud, *result, pose);
-  else
-    transformPointCloud(*cloud, *result, pose);
-  return result;
-}
-
-template <typename PointT>
-typename PlaneAdjustment<PointT>::PointCloudPtr
-PlaneAdjustment<PointT>::getConcatenatedCloud() const
-{
-  PointCloudPtr result(new PointCloud);
-  for (std::size_t i = 0; i < loaders_.size(); ++i)
-    *result += *getTransformedCloud(i);
-  return result;
+  this->poses_ = std::move(poses);
+  this->report_ = std::move(report);
 }
 
 } // namespace pcl
 
 #define PCL_INSTANTIATE_PlaneAdjustment(T) \
-  template class ACMAP_EXPORT pcl::PlaneAdjustment<T>;
+  PCL_INSTANTIATE_RegisteredClouds(        \
+      T,                                   \
+      pcl::PlaneAdjustmentReport) template class ACMAP_EXPORT pcl::PlaneAdjustment<T>;

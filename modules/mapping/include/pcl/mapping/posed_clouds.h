@@ -1,0 +1,97 @@
+#pragma once
+
+#include <pcl/core/build_config.h>
+#include <pcl/core/stage_controls.h>
+#include <pcl/memory.h>
+#include <pcl/point_cloud.h>
+
+#include <Eigen/Geometry>
+
+#include <functional>
+#include <vector>
+
+namespace pcl {
+namespace acmap {
+
+/** \brief Base of the classes that take observations with their poses: clouds in the frame
+ * of the sensor, in the order in which they were made. \a Pose is a PlanarPose or an
+ * Eigen::Isometry3d. */
+template <typename PointT, typename Pose, typename ReportT>
+class PosedClouds : public StageControls<ReportT> {
+public:
+  using PointCloud = pcl::PointCloud<PointT>;
+  using PointCloudPtr = typename PointCloud::Ptr;
+  using PointCloudConstPtr = typename PointCloud::ConstPtr;
+
+  /** \brief Adds an observation; the order must be that in which they were made.
+   * \param[in] cloud in the sensor's frame; it must not be changed afterwards; points
+   * and normals may be NaN
+   * \param[in] pose T_map_camera
+   * \param[in] weights weight of each point, such as the area or the length of wall that
+   * it represents; empty: 1
+   * \return its number
+   * \throws BadArgumentException when the cloud is missing, the pose is not a rigid
+   * motion, or the weights are not one per point, finite and >= 0 */
+  std::size_t
+  addPointCloud(const PointCloudConstPtr& cloud,
+                const Pose& pose,
+                const std::vector<float>& weights = {});
+
+  /** \brief Sets the pose of an observation, from which the next run starts.
+   * \throws BadArgumentException as \ref addPointCloud, or when there is no such
+   * observation */
+  void
+  setPose(std::size_t number, const Pose& pose);
+
+  /** \brief T_map_camera: the result after a run, the given pose before.
+   * \throws BadArgumentException when there is no such observation */
+  const Pose&
+  getPose(std::size_t number) const;
+
+  std::size_t
+  getNumberOfPointClouds() const
+  {
+    return poses_.size();
+  }
+
+  /** \brief Removes all observations. */
+  void
+  clear();
+
+protected:
+  using Loader = std::function<PointCloudConstPtr()>;
+
+  std::size_t
+  add(Loader loader, const Pose& pose, const std::vector<float>& weights);
+
+  std::vector<Loader> loaders_;
+  std::vector<std::vector<float>> weights_;
+  std::vector<Pose> given_, poses_;
+};
+
+/** \brief The same for classes that find the poses under which clouds fit together, in
+ * the shape of PCL's registration::LUM. */
+template <typename PointT, typename ReportT>
+class RegisteredClouds : public PosedClouds<PointT, Eigen::Isometry3d, ReportT> {
+public:
+  using typename PosedClouds<PointT, Eigen::Isometry3d, ReportT>::PointCloudPtr;
+
+  /** \brief Same as getPose, in the type that PCL uses for transformations. */
+  Eigen::Affine3f
+  getTransformation(std::size_t number) const;
+
+  /** \brief Returns an observation in the frame of the map. */
+  PointCloudPtr
+  getTransformedCloud(std::size_t number) const;
+
+  /** \brief Returns all observations in the frame of the map. */
+  PointCloudPtr
+  getConcatenatedCloud() const;
+};
+
+} // namespace acmap
+} // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/mapping/impl/posed_clouds.h>
+#endif
