@@ -334,9 +334,9 @@ sumUp(const float* bins, std::int64_t size, double* sums)
 {
   Lanes sum = allLanes(0);
   for (std::int64_t j = 0; j < size; j += lane_count) {
-    const Lanes q = loadLanes(bins + j);
+    const Lanes q = load<Lanes>(bins + j);
     sum += q;
-    storeLanes(sums + j, loadLanes(sums + j) + q);
+    store(sums + j, load<Lanes>(sums + j) + q);
   }
   return sumOf(sum);
 }
@@ -346,11 +346,11 @@ takeExactLogarithms(double* values, std::int64_t size)
 {
   Lanes sum = allLanes(0);
   for (std::int64_t j = 0; j < size; j += lane_count) {
-    const Lanes q = loadLanes(values + j);
+    const Lanes q = load<Lanes>(values + j);
     const Lanes logarithm = reinterpret_cast<Lanes>(
         reinterpret_cast<LaneInts>(log2Lanes(q)) & (q > allLanes(0)));
     sum += q * logarithm;
-    storeLanes(values + j, logarithm);
+    store(values + j, logarithm);
   }
   return sumOf(sum);
 }

@@ -1,49 +1,18 @@
-// Four doubles, or eight or four floats, as vector types of the compiler. To be
-// included in a single source file per variant: everything is in an unnamed namespace,
-// because each variant is compiled with its own flags.
+// Four doubles or floats, besides the vectors of core.
 #pragma once
 
-// The vectors are never passed between functions of different files.
-#pragma GCC diagnostic ignored "-Wpsabi"
+#include <pcl/core/impl/lanes.h>
 
 namespace {
 
 typedef double Lanes __attribute__((vector_size(32), aligned(32)));
 typedef long long LaneInts __attribute__((vector_size(32), aligned(32)));
 typedef unsigned long long LaneBits __attribute__((vector_size(32), aligned(32)));
-typedef float Floats __attribute__((vector_size(32), aligned(32)));
 typedef unsigned FloatBits __attribute__((vector_size(32), aligned(32)));
 typedef float FourFloats __attribute__((vector_size(16), aligned(16)));
 typedef unsigned FourBits __attribute__((vector_size(16), aligned(16)));
 
-#define ACMAP_INLINE inline __attribute__((always_inline))
-
 constexpr int lane_count = 4;
-
-ACMAP_INLINE Lanes
-loadLanes(const double* from)
-{
-  Lanes lanes;
-  __builtin_memcpy(&lanes, from, sizeof lanes);
-  return lanes;
-}
-
-/** Loads Floats or FourFloats. */
-template <typename Vector>
-ACMAP_INLINE Vector
-load(const float* from)
-{
-  Vector floats;
-  __builtin_memcpy(&floats, from, sizeof floats);
-  return floats;
-}
-
-template <typename Vector>
-ACMAP_INLINE void
-store(float* to, const Vector& floats)
-{
-  __builtin_memcpy(to, &floats, sizeof floats);
-}
 
 ACMAP_INLINE Lanes
 lanesOf(const FourFloats& floats)
@@ -85,12 +54,6 @@ ACMAP_INLINE FourFloats
 allFour(float value)
 {
   return FourFloats{value, value, value, value};
-}
-
-ACMAP_INLINE void
-storeLanes(double* to, const Lanes& lanes)
-{
-  __builtin_memcpy(to, &lanes, sizeof lanes);
 }
 
 ACMAP_INLINE Lanes
