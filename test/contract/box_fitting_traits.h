@@ -9,6 +9,9 @@
 namespace pcl::acmap::test {
 
 struct BoxFittingTraits : PatchFittingTraits<BoxFittingTraits, BoxFitting, BoxPatch> {
+  static constexpr const char* header =
+      "segmentation/include/pcl/segmentation/box_fitting.h";
+
   static bool
   areSame(const BoxPatch& a, const BoxPatch& b)
   {
@@ -37,12 +40,6 @@ struct BoxFittingTraits : PatchFittingTraits<BoxFittingTraits, BoxFitting, BoxPa
     planes.push_back(square(largest, largest.center + n / 2, u, v));
     planes.push_back(square(largest, largest.center - n / 2, 3 * u, 3 * v));
     return planes;
-  }
-
-  static std::string
-  header()
-  {
-    return textOfHeader("box_fitting.h");
   }
 };
 

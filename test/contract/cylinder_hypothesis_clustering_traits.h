@@ -6,15 +6,14 @@
 
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 #include <utility>
 
 namespace pcl::acmap::test {
 
-struct CylinderHypothesisClusteringTraits {
-  using Class = CylinderHypothesisClustering<PointXYZ>;
+struct CylinderHypothesisClusteringTraits
+: CommonTraits<CylinderHypothesisClustering<PointXYZ>> {
+  static constexpr const char* header =
+      "segmentation/include/pcl/segmentation/cylinder_hypothesis_clustering.h";
 
   struct Output : std::vector<CylinderPatch> {
     /** Compares bytes, as covariances may be NaN. */
@@ -56,12 +55,6 @@ struct CylinderHypothesisClusteringTraits {
     object.segment(static_cast<std::vector<CylinderPatch>&>(output));
   }
 
-  static bool
-  isEmpty(const Output& output)
-  {
-    return output.empty();
-  }
-
   static Output
   sentinel()
   {
@@ -71,26 +64,23 @@ struct CylinderHypothesisClusteringTraits {
     return output;
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::vector<RefusedCall<Class>> calls;
-    for (const auto& [value, word] :
-         {std::pair(-0.5, "-0.5"), std::pair(nan, "nan"), std::pair(infinity, "inf")}) {
-      calls.push_back(
-          {[value = value](Class& object) { object.setRadiusLimits(value, 1); },
-           {"minimum radius", word, "[0,", " m"}});
-      calls.push_back(
-          {[value = value](Class& object) { object.setRadiusLimits(0.25, value); },
-           {"maximum radius", word, "[0.25,", " m"}});
-      calls.push_back({[value = value](Class& object) { object.setNoise(value); },
-                       {"noise", word, "[0,", " m"}});
-    }
+    const auto setMinimum = [](Class& object, double value) {
+      object.setRadiusLimits(value, 1);
+    };
+    const auto setMaximum = [](Class& object, double value) {
+      object.setRadiusLimits(0.25, value);
+    };
+    Calls calls;
+    refuse(calls, setMinimum, nonsense, {"minimum radius", "[0,", " m"});
+    refuse(calls, setMaximum, nonsense, {"maximum radius", "[0.25,", " m"});
+    refuse(calls, &Class::setNoise, nonsense, {"noise", "[0,", " m"});
     calls.push_back({[](Class& object) {
                        const Cloud::ConstPtr source(new Cloud);
-                       object.setSourceCloud(source, {{0, static_cast<float>(nan), 0}});
+                       object.setSourceCloud(
+                           source, {{0, std::numeric_limits<float>::quiet_NaN(), 0}});
                      },
                      {"nan", "[-1e+09,", " m"}});
     return calls;
@@ -105,21 +95,6 @@ struct CylinderHypothesisClusteringTraits {
     words << "radius " << min_radius << ' ' << max_radius << ", noise "
           << object.getNoise() << ", threads " << object.getNumberOfThreads();
     return words.str();
-  }
-
-  static std::size_t
-  invalidPoints(const Class& object)
-  {
-    return object.getReport().invalid_points;
-  }
-
-  static std::string
-  header()
-  {
-    std::ifstream file(ACMAP_SOURCE_DIR
-                       "/modules/segmentation/include/pcl/segmentation/"
-                       "cylinder_hypothesis_clustering.h");
-    return {std::istreambuf_iterator<char>(file), {}};
   }
 };
 

@@ -4,14 +4,11 @@
 
 #include <pcl/surface/dewall_triangulation.h>
 
-#include <fstream>
-#include <iterator>
-#include <sstream>
-
 namespace pcl::acmap::test {
 
-struct DeWallTraits {
-  using Class = DeWallTriangulation<PointXYZ>;
+struct DeWallTraits : CommonTraits<DeWallTriangulation<PointXYZ>> {
+  static constexpr const char* header =
+      "surface/include/pcl/surface/dewall_triangulation.h";
 
   struct Output : TriangleMesh {
     bool
@@ -48,19 +45,15 @@ struct DeWallTraits {
     return output;
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
-    const auto length = [](double value) {
-      return [value](Class& object) { object.setMaximumEdgeLength(value); };
-    };
-    return {
-        {length(-0.5), {"-0.5", "[0,", " m"}},
-        {length(std::numeric_limits<double>::quiet_NaN()), {"nan", "[0,", " m"}},
-        {length(std::numeric_limits<double>::infinity()), {"inf", "[0,", " m"}},
+    Calls calls{
         {[](Class& object) { object.setAcceptanceRule(static_cast<DeWallRule>(9)); },
          {"9", "Paper", "Dense", "Strict"}},
         {[](Class& object) { object.setLeafSize(-1); }, {"-1", "[0,", "points"}}};
+    refuse(calls, &Class::setMaximumEdgeLength, nonsense, {"[0,", " m"});
+    return calls;
   }
 
   static std::string
@@ -72,20 +65,6 @@ struct DeWallTraits {
           << ", threads " << object.getNumberOfThreads() << ", leaf "
           << object.getLeafSize();
     return words.str();
-  }
-
-  static std::size_t
-  invalidPoints(const Class& object)
-  {
-    return object.getReport().invalid_points;
-  }
-
-  static std::string
-  header()
-  {
-    std::ifstream file(ACMAP_SOURCE_DIR
-                       "/modules/surface/include/pcl/surface/dewall_triangulation.h");
-    return {std::istreambuf_iterator<char>(file), {}};
   }
 };
 

@@ -8,13 +8,13 @@
 #include <array>
 #include <cstring>
 #include <limits>
-#include <sstream>
 
 namespace pcl::acmap::test {
 
 /** \brief The output is compared bitwise, as missing points are NaN. */
-struct DisparityBackProjectionTraits {
-  using Class = DisparityBackProjection;
+struct DisparityBackProjectionTraits : CommonTraits<DisparityBackProjection> {
+  static constexpr const char* header =
+      "stereo/include/pcl/stereo/disparity_back_projection.h";
   using Output = std::vector<std::array<std::uint32_t, 5>>;
 
   static Class
@@ -57,7 +57,7 @@ struct DisparityBackProjectionTraits {
     return {{7, 7, 7, 7, 7}};
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -103,12 +103,6 @@ struct DisparityBackProjectionTraits {
           << object.getMinimumDepth() << " to " << object.getMaximumDepth()
           << ", threads " << object.getNumberOfThreads();
     return words.str();
-  }
-
-  static std::string
-  header()
-  {
-    return headerText("stereo/include/pcl/stereo/disparity_back_projection.h");
   }
 
 private:

@@ -9,15 +9,14 @@
 #include <array>
 #include <cstring>
 #include <limits>
-#include <sstream>
 
 namespace pcl::acmap::test {
 
 /** \brief Constructed with a rig, which each input needs, and with Statistical, which
  * matches and fuses. The output consists of the bytes of disparities, standard
  * deviations and support. */
-struct DisparityFusionTraits {
-  using Class = DisparityFusion;
+struct DisparityFusionTraits : CommonTraits<DisparityFusion> {
+  static constexpr const char* header = "stereo/include/pcl/stereo/disparity_fusion.h";
   using Output = std::vector<std::uint32_t>;
 
   static Class
@@ -80,7 +79,7 @@ struct DisparityFusionTraits {
     return {42};
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -143,12 +142,6 @@ struct DisparityFusionTraits {
           << object.getMatching().getMaxDisparity() << ", focal length "
           << object.getMatching().getInputRig().focal_length;
     return words.str();
-  }
-
-  static std::string
-  header()
-  {
-    return headerText("stereo/include/pcl/stereo/disparity_fusion.h");
   }
 
 private:

@@ -1,144 +1,48 @@
 #pragma once
 
-#include "contract.h"
+#include "registered_clouds_traits.h"
 
 #include <pcl/mapping/entropy_rectification.h>
 
-#include <cstring>
-#include <fstream>
-#include <iterator>
-#include <sstream>
-#include <utility>
-
 namespace pcl::acmap::test {
 
-struct EntropyRectificationTraits {
-  using Class = EntropyRectification<PointNormal>;
+struct EntropyRectificationTraits
+: RegisteredCloudsTraits<EntropyRectification, PointNormal, RectificationOutcome> {
+  static constexpr const char* header =
+      "mapping/include/pcl/mapping/entropy_rectification.h";
 
-  struct Output {
-    std::vector<Eigen::Matrix4d> poses;
-    RectificationOutcome outcome = RectificationOutcome::Undetermined;
-    std::string reason;
-
-    /** Compares bytes. */
-    bool
-    operator==(const Output& other) const
-    {
-      if (poses.size() != other.poses.size())
-        return false;
-      for (std::size_t i = 0; i < poses.size(); ++i)
-        if (std::memcmp(
-                poses[i].data(), other.poses[i].data(), sizeof(Eigen::Matrix4d)) != 0)
-          return false;
-      return outcome == other.outcome && reason == other.reason;
-    }
-  };
-
-  /** Adds the same cloud twice, because one observation alone is never determined. */
   static void
   setInput(Class& object, const Cloud& cloud)
   {
-    PointCloud<PointNormal>::Ptr input(new PointCloud<PointNormal>);
-    for (const PointXYZ& place : cloud) {
-      input->push_back(PointNormal());
-      input->back().getVector3fMap() = place.getVector3fMap();
-      input->back().getNormalVector3fMap().setConstant(
-          std::numeric_limits<float>::quiet_NaN());
-    }
-    object.clear();
-    object.addPointCloud(input, Eigen::Isometry3d::Identity());
-    object.addPointCloud(input, Eigen::Isometry3d::Identity());
+    addTwice(object, cloud, [](PointNormal& point) {
+      point.getNormalVector3fMap().setConstant(std::numeric_limits<float>::quiet_NaN());
+    });
   }
 
-  static void
-  run(Class& object, Output& output)
-  {
-    object.compute();
-    output.poses.clear();
-    for (std::size_t i = 0; i < object.getNumberOfPointClouds(); ++i)
-      output.poses.push_back(object.getPose(i).matrix());
-    output.outcome = object.getReport().outcome;
-    output.reason = object.getReport().reason;
-  }
-
-  /** Was the rectification undetermined? */
-  static bool
-  isEmpty(const Output& output)
-  {
-    return output.outcome == RectificationOutcome::Undetermined;
-  }
-
-  static Output
-  sentinel()
-  {
-    return {std::vector<Eigen::Matrix4d>(7, Eigen::Matrix4d::Zero()),
-            RectificationOutcome::Refused,
-            "no run"};
-  }
-
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::vector<RefusedCall<Class>> calls;
-    for (const auto& [value, word] :
-         {std::pair(-0.5, "-0.5"), std::pair(nan, "nan"), std::pair(infinity, "inf")}) {
-      const double bad = value;
-      calls.push_back({[bad](Class& object) { object.setBinSize(bad); },
-                       {"bin size", word, "[0.001, 25]", " m"}});
-      calls.push_back({[bad](Class& object) { object.setEntropyWeight(bad); },
-                       {"entropy weight", word, "[0.001, 1000]", "no unit"}});
-      calls.push_back({[bad](Class& object) { object.setProjectionWeight(bad); },
-                       {"mu", word, "[0, 1000]", "no unit"}});
-      for (int field = 0; field < 4; ++field)
-        calls.push_back({[bad, field](Class& object) {
-                           OdometryNoise noise;
-                           (field == 0   ? noise.length
-                            : field == 1 ? noise.length_per_metre
-                            : field == 2 ? noise.turn
-                                         : noise.turn_per_radian) = bad;
-                           object.setOdometryNoise(noise);
-                         },
-                         {"odometry noise", word, field < 2 ? " m" : " rad"}});
-    }
-    calls.push_back({[](Class& object) {
-                       Eigen::Isometry3d mirror = Eigen::Isometry3d::Identity();
-                       mirror.matrix()(0, 0) = -1;
-                       object.addPointCloud(std::make_shared<PointCloud<PointNormal>>(),
-                                            mirror);
-                     },
-                     {"rigid motion", "1e9 m"}});
+    Calls calls = refusedNoiseAndPose();
+    refuse(calls, &Class::setBinSize, nonsense, {"bin size", "[0.001, 25]", " m"});
+    refuse(calls,
+           &Class::setEntropyWeight,
+           nonsense,
+           {"entropy weight", "[0.001, 1000]", "no unit"});
+    refuse(
+        calls, &Class::setProjectionWeight, nonsense, {"mu", "[0, 1000]", "no unit"});
     return calls;
   }
 
   static std::string
   parameters(const Class& object)
   {
-    const OdometryNoise& noise = object.getOdometryNoise();
     std::ostringstream words;
     words << "bin " << object.getBinSize() << ", weight " << object.getEntropyWeight()
-          << ", mu " << object.getProjectionWeight() << ", noise " << noise.length
-          << ' ' << noise.length_per_metre << ' ' << noise.turn << ' '
-          << noise.turn_per_radian << ", mode " << static_cast<int>(object.getMode())
-          << ", seed " << object.getSeed() << ", threads "
-          << object.getNumberOfThreads();
+          << ", mu " << object.getProjectionWeight() << ", "
+          << textOf(object.getOdometryNoise()) << ", mode "
+          << static_cast<int>(object.getMode()) << ", seed " << object.getSeed()
+          << ", threads " << object.getNumberOfThreads();
     return words.str();
-  }
-
-  /** Each cloud was added twice. */
-  static std::size_t
-  invalidPoints(const Class& object)
-  {
-    return object.getReport().invalid_points / 2;
-  }
-
-  static std::string
-  header()
-  {
-    std::ifstream file(ACMAP_SOURCE_DIR
-                       "/modules/mapping/include/pcl/mapping/entropy_rectification.h");
-    return {std::istreambuf_iterator<char>(file), {}};
   }
 };
 

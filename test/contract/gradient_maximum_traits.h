@@ -6,20 +6,14 @@
 #include <pcl/egomotion/gradient_maximum_keypoint.h>
 
 #include <limits>
-#include <sstream>
 
 namespace pcl::acmap::test {
 
 /** \brief The output consists of the positions of the keypoints. */
-struct GradientMaximumTraits {
-  using Class = GradientMaximumKeypoint<PointXYZRGB>;
+struct GradientMaximumTraits : CommonTraits<GradientMaximumKeypoint<PointXYZRGB>> {
+  static constexpr const char* header =
+      "egomotion/include/pcl/egomotion/gradient_maximum_keypoint.h";
   using Output = std::vector<Eigen::Vector3f>;
-
-  static Class
-  make()
-  {
-    return {};
-  }
 
   static void
   detect(Class& object, const PointCloud<PointXYZRGB>::ConstPtr& cloud, Output& output)
@@ -39,19 +33,13 @@ struct GradientMaximumTraits {
     detect(object, wallOf(paint(paper)), output);
   }
 
-  static bool
-  isEmpty(const Output& output)
-  {
-    return output.empty();
-  }
-
   static Output
   sentinel()
   {
     return {Eigen::Vector3f::Constant(42)};
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -81,12 +69,6 @@ struct GradientMaximumTraits {
     words << object.getMinimumGradient() << ' ' << object.getMaximumKeypoints() << ' '
           << object.getNumberOfThreads();
     return words.str();
-  }
-
-  static std::string
-  header()
-  {
-    return headerText("egomotion/include/pcl/egomotion/gradient_maximum_keypoint.h");
   }
 };
 

@@ -6,23 +6,18 @@
 #include <pcl/egomotion/correspondence_estimation_log_polar.h>
 
 #include <limits>
-#include <sstream>
 #include <tuple>
 
 namespace pcl::acmap::test {
 
 /** \brief The output consists of matches: source, target, squared distance and
  * score. */
-struct LogPolarTraits {
-  using Class = registration::CorrespondenceEstimationLogPolar<PointXYZRGB>;
+struct LogPolarTraits
+: CommonTraits<registration::CorrespondenceEstimationLogPolar<PointXYZRGB>> {
+  static constexpr const char* header =
+      "egomotion/include/pcl/egomotion/correspondence_estimation_log_polar.h";
   using Output = std::vector<std::tuple<int, int, float, float>>;
   using CloudPtr = PointCloud<PointXYZRGB>::ConstPtr;
-
-  static Class
-  make()
-  {
-    return {};
-  }
 
   static void
   match(Class& object, const CloudPtr& now, const CloudPtr& before, Output& output)
@@ -46,19 +41,13 @@ struct LogPolarTraits {
     match(object, wallOf(paint(paper, {0.05})), wallOf(paint(paper)), output);
   }
 
-  static bool
-  isEmpty(const Output& output)
-  {
-    return output.empty();
-  }
-
   static Output
   sentinel()
   {
     return {{42, 43, 44.0F, 45.0F}};
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -103,13 +92,6 @@ struct LogPolarTraits {
           << settings.sector_shifts << ' ' << object.getMaximumImageDistance() << ' '
           << object.getNumberOfThreads();
     return words.str();
-  }
-
-  static std::string
-  header()
-  {
-    return headerText(
-        "egomotion/include/pcl/egomotion/correspondence_estimation_log_polar.h");
   }
 };
 

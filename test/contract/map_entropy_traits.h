@@ -2,19 +2,17 @@
 
 #include "contract.h"
 
+#include <pcl/common/io.h>
 #include <pcl/mapping/map_entropy.h>
 
 #include <array>
 #include <cstring>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 #include <utility>
 
 namespace pcl::acmap::test {
 
-struct MapEntropyTraits {
-  using Class = MapEntropy<PointNormal>;
+struct MapEntropyTraits : CommonTraits<MapEntropy<PointNormal>> {
+  static constexpr const char* header = "mapping/include/pcl/mapping/map_entropy.h";
 
   struct Output {
     MapEntropyTerms terms;
@@ -40,11 +38,8 @@ struct MapEntropyTraits {
   static void
   setInput(Class& object, const Cloud& cloud)
   {
-    PointCloud<PointNormal>::Ptr input(new PointCloud<PointNormal>);
-    for (const PointXYZ& place : cloud) {
-      input->push_back(PointNormal());
-      input->back().getVector3fMap() = place.getVector3fMap();
-    }
+    const PointCloud<PointNormal>::Ptr input(new PointCloud<PointNormal>);
+    copyPointCloud(cloud, *input);
     object.clear();
     object.addPointCloud(input);
     object.addPointCloud(input);
@@ -73,22 +68,14 @@ struct MapEntropyTraits {
     return output;
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::vector<RefusedCall<Class>> calls;
-    for (const auto& [value, word] :
-         {std::pair(-0.5, "-0.5"), std::pair(nan, "nan"), std::pair(infinity, "inf")}) {
-      calls.push_back({[value = value](Class& object) { object.setBinSize(value); },
-                       {"bin size", word, "[0.001, 100]", " m"}});
-      calls.push_back({[value = value](Class& object) { object.setSmoothing(value); },
-                       {"sigma_XZ", word, "[0, 1000]", " m"}});
-      calls.push_back(
-          {[value = value](Class& object) { object.setProjectionWeight(value); },
-           {"mu", word, "[0, 1000]", "no unit"}});
-    }
+    Calls calls;
+    refuse(calls, &Class::setBinSize, nonsense, {"bin size", "[0.001, 100]", " m"});
+    refuse(calls, &Class::setSmoothing, nonsense, {"sigma_XZ", "[0, 1000]", " m"});
+    refuse(
+        calls, &Class::setProjectionWeight, nonsense, {"mu", "[0, 1000]", "no unit"});
     for (int axis = 0; axis < 3; ++axis)
       calls.push_back(
           {[axis](Class& object) {
@@ -117,14 +104,6 @@ struct MapEntropyTraits {
   invalidPoints(const Class& object)
   {
     return object.getReport().invalid_points / 2;
-  }
-
-  static std::string
-  header()
-  {
-    std::ifstream file(ACMAP_SOURCE_DIR
-                       "/modules/mapping/include/pcl/mapping/map_entropy.h");
-    return {std::istreambuf_iterator<char>(file), {}};
   }
 };
 

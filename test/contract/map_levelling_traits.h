@@ -2,19 +2,17 @@
 
 #include "contract.h"
 
+#include <pcl/common/io.h>
 #include <pcl/mapping/map_levelling.h>
 
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 
 namespace pcl::acmap::test {
 
-struct MapLevellingTraits {
-  using Class = MapLevelling<PointNormal>;
+struct MapLevellingTraits : CommonTraits<MapLevelling<PointNormal>> {
+  static constexpr const char* header = "mapping/include/pcl/mapping/map_levelling.h";
 
   struct Output {
     Eigen::Matrix4d pose = Eigen::Matrix4d::Zero();
@@ -54,13 +52,11 @@ struct MapLevellingTraits {
   static void
   setInput(Class& object, const Cloud& cloud)
   {
-    PointCloud<PointNormal>::Ptr input(new PointCloud<PointNormal>);
+    const PointCloud<PointNormal>::Ptr input(new PointCloud<PointNormal>);
+    copyPointCloud(cloud, *input);
     const Eigen::Vector3f normal = normalOf(cloud);
-    for (const PointXYZ& place : cloud) {
-      input->push_back(PointNormal());
-      input->back().getVector3fMap() = place.getVector3fMap();
-      input->back().getNormalVector3fMap() = normal;
-    }
+    for (PointNormal& point : *input)
+      point.getNormalVector3fMap() = normal;
     object.clear();
     object.addPointCloud(input, Eigen::Isometry3d::Identity());
   }
@@ -86,7 +82,7 @@ struct MapLevellingTraits {
     return {Eigen::Matrix4d::Constant(7), false, "no run"};
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     return {{[](Class& object) { object.setUpDirection(Eigen::Vector3d::Zero()); },
@@ -106,20 +102,6 @@ struct MapLevellingTraits {
       words << object.getUpDirection()->transpose() << ", ";
     words << "threads " << object.getNumberOfThreads();
     return words.str();
-  }
-
-  static std::size_t
-  invalidPoints(const Class& object)
-  {
-    return object.getReport().invalid_points;
-  }
-
-  static std::string
-  header()
-  {
-    std::ifstream file(ACMAP_SOURCE_DIR
-                       "/modules/mapping/include/pcl/mapping/map_levelling.h");
-    return {std::istreambuf_iterator<char>(file), {}};
   }
 };
 

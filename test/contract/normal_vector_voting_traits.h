@@ -7,15 +7,13 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 #include <utility>
 
 namespace pcl::acmap::test {
 
-struct NormalVectorVotingTraits {
-  using Class = NormalVectorVoting<PointXYZ>;
+struct NormalVectorVotingTraits : CommonTraits<NormalVectorVoting<PointXYZ>> {
+  static constexpr const char* header =
+      "features/include/pcl/features/normal_vector_voting.h";
 
   struct Output : PointCloud<Normal> {
     /** Compares bytes, as normals may be NaN; ignores padding after the curvature. */
@@ -69,28 +67,18 @@ struct NormalVectorVotingTraits {
     return output;
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::vector<RefusedCall<Class>> calls;
-    for (const auto& [value, word] :
-         {std::pair(-0.5, "-0.5"), std::pair(nan, "nan"), std::pair(infinity, "inf")}) {
-      calls.push_back(
-          {[value = value](Class& object) { object.setRadiusSearch(value); },
-           {word, "[0,", " m"}});
-      calls.push_back(
-          {[value = value](Class& object) { object.setCreaseWeight(value); },
-           {"crease weight", word, "[1e-06,"}});
-      calls.push_back(
-          {[value = value](Class& object) { object.setCornerWeight(value); },
-           {"corner weight", word, "[1e-06,"}});
-    }
-    calls.push_back({[](Class& object) {
-                       object.setViewpoints({{0, static_cast<float>(nan), 0}});
-                     },
-                     {"nan", "[-1e+09,", " m"}});
+    Calls calls;
+    refuse(calls, &Class::setRadiusSearch, nonsense, {"[0,", " m"});
+    refuse(calls, &Class::setCreaseWeight, nonsense, {"crease weight", "[1e-06,"});
+    refuse(calls, &Class::setCornerWeight, nonsense, {"corner weight", "[1e-06,"});
+    calls.push_back(
+        {[](Class& object) {
+           object.setViewpoints({{0, std::numeric_limits<float>::quiet_NaN(), 0}});
+         },
+         {"nan", "[-1e+09,", " m"}});
     return calls;
   }
 
@@ -104,20 +92,6 @@ struct NormalVectorVotingTraits {
           << object.getComputeCurvatures() << ", paper " << object.getPaperMode()
           << ", threads " << object.getNumberOfThreads();
     return words.str();
-  }
-
-  static std::size_t
-  invalidPoints(const Class& object)
-  {
-    return object.getReport().invalid_points;
-  }
-
-  static std::string
-  header()
-  {
-    std::ifstream file(ACMAP_SOURCE_DIR
-                       "/modules/features/include/pcl/features/normal_vector_voting.h");
-    return {std::istreambuf_iterator<char>(file), {}};
   }
 };
 

@@ -11,8 +11,9 @@ namespace pcl::acmap::test {
  * tells areSame (patch, patch), and planesLike (largest): the planes of a scene that has one
  * patch, of the size of a plane. */
 template <typename Traits, typename Fitting, typename Patch>
-struct PatchFittingTraits {
-  using Class = Fitting;
+struct PatchFittingTraits : CommonTraits<Fitting> {
+  using typename CommonTraits<Fitting>::Calls;
+  using typename CommonTraits<Fitting>::Class;
 
   struct Output : std::vector<Patch> {
     bool
@@ -103,15 +104,6 @@ struct PatchFittingTraits {
   invalidPoints(const Class& object)
   {
     return object.getReport().invalid_planes;
-  }
-
-  /** \param[in] name of the header in the module */
-  static std::string
-  textOfHeader(const std::string& name)
-  {
-    std::ifstream file(
-        ACMAP_SOURCE_DIR "/modules/segmentation/include/pcl/segmentation/" + name);
-    return {std::istreambuf_iterator<char>(file), {}};
   }
 };
 

@@ -7,20 +7,15 @@
 #include <pcl/point_types.h>
 
 #include <limits>
-#include <sstream>
 
 namespace pcl::acmap::test {
 
 /** \brief The output is the motion; empty if it is the identity. */
-struct PlanarEstimationTraits {
-  using Class = registration::TransformationEstimationPlanar<PointXYZ, PointXYZ>;
+struct PlanarEstimationTraits
+: CommonTraits<registration::TransformationEstimationPlanar<PointXYZ, PointXYZ>> {
+  static constexpr const char* header =
+      "egomotion/include/pcl/egomotion/transformation_estimation_planar.h";
   using Output = Eigen::Matrix4f;
-
-  static Class
-  make()
-  {
-    return {};
-  }
 
   static void
   run(Class& object, int which, Output& output)
@@ -54,7 +49,7 @@ struct PlanarEstimationTraits {
     return Output::Constant(42);
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -95,13 +90,6 @@ struct PlanarEstimationTraits {
     for (const double weight : object.getCorrespondenceWeights())
       words << ' ' << weight;
     return words.str();
-  }
-
-  static std::string
-  header()
-  {
-    return headerText("egomotion/include/pcl/egomotion/"
-                      "transformation_estimation_planar.h");
   }
 };
 

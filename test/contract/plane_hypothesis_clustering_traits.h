@@ -7,15 +7,14 @@
 #include <pcl/surface/dewall_triangulation.h>
 
 #include <cstring>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 #include <utility>
 
 namespace pcl::acmap::test {
 
-struct PlaneHypothesisClusteringTraits {
-  using Class = PlaneHypothesisClustering<PointXYZ>;
+struct PlaneHypothesisClusteringTraits
+: CommonTraits<PlaneHypothesisClustering<PointXYZ>> {
+  static constexpr const char* header =
+      "segmentation/include/pcl/segmentation/plane_hypothesis_clustering.h";
 
   struct Output : std::vector<PlanePatch> {
     /** Compares bytes, as covariances may be NaN. */
@@ -67,12 +66,6 @@ struct PlaneHypothesisClusteringTraits {
     object.segment(static_cast<std::vector<PlanePatch>&>(output));
   }
 
-  static bool
-  isEmpty(const Output& output)
-  {
-    return output.empty();
-  }
-
   static Output
   sentinel()
   {
@@ -82,29 +75,18 @@ struct PlaneHypothesisClusteringTraits {
     return output;
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::vector<RefusedCall<Class>> calls;
-    for (const auto& [value, word] :
-         {std::pair(-0.5, "-0.5"), std::pair(nan, "nan"), std::pair(infinity, "inf")}) {
-      calls.push_back(
-          {[value = value](Class& object) { object.setClusterTolerance(value); },
-           {"W_d", word, "[1e-09,", " m"}});
-      calls.push_back(
-          {[value = value](Class& object) { object.setSmoothnessThreshold(value); },
-           {"W_n", word, "[1e-06,", " rad"}});
-      calls.push_back(
-          {[value = value](Class& object) { object.setDistanceThreshold(value); },
-           {"W_t", word, "[1e-09,", " m"}});
-      calls.push_back({[value = value](Class& object) { object.setMinArea(value); },
-                       {"area", word, "[0,", " m^2"}});
-    }
+    Calls calls;
+    refuse(calls, &Class::setClusterTolerance, nonsense, {"W_d", "[1e-09,", " m"});
+    refuse(calls, &Class::setSmoothnessThreshold, nonsense, {"W_n", "[1e-06,", " rad"});
+    refuse(calls, &Class::setDistanceThreshold, nonsense, {"W_t", "[1e-09,", " m"});
+    refuse(calls, &Class::setMinArea, nonsense, {"area", "[0,", " m^2"});
     calls.push_back({[](Class& object) {
                        const Cloud::ConstPtr source(new Cloud);
-                       object.setSourceCloud(source, {{0, static_cast<float>(nan), 0}});
+                       object.setSourceCloud(
+                           source, {{0, std::numeric_limits<float>::quiet_NaN(), 0}});
                      },
                      {"nan", "[-1e+09,", " m"}});
     return calls;
@@ -120,21 +102,6 @@ struct PlaneHypothesisClusteringTraits {
           << ", area " << object.getMinArea() << ", regular " << object.getRegularize()
           << ", threads " << object.getNumberOfThreads();
     return words.str();
-  }
-
-  static std::size_t
-  invalidPoints(const Class& object)
-  {
-    return object.getReport().invalid_points;
-  }
-
-  static std::string
-  header()
-  {
-    std::ifstream file(
-        ACMAP_SOURCE_DIR
-        "/modules/segmentation/include/pcl/segmentation/plane_hypothesis_clustering.h");
-    return {std::istreambuf_iterator<char>(file), {}};
   }
 };
 

@@ -6,8 +6,8 @@
 
 namespace pcl::acmap::test {
 
-struct PlaneTexturingTraits {
-  using Class = PlaneTexturing<PointXYZRGB>;
+struct PlaneTexturingTraits : CommonTraits<PlaneTexturing<PointXYZRGB>> {
+  static constexpr const char* header = "texture/include/pcl/texture/plane_texturing.h";
 
   struct Output : CompactMap {
     bool
@@ -73,30 +73,23 @@ struct PlaneTexturingTraits {
     return output;
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::vector<RefusedCall<Class>> calls;
-    for (const auto& [value, word] : {std::pair(-0.5, "-0.5"),
-                                      std::pair(0.0, "0"),
-                                      std::pair(nan, "nan"),
-                                      std::pair(infinity, "inf")}) {
-      calls.push_back({[value = value](Class& object) { object.setTexelSize(value); },
-                       {"texel size", word, "[0.0001,", " m"}});
-      calls.push_back(
-          {[value = value](Class& object) { object.setMaximumDistance(value); },
-           {"distance", word, "[1e-06,", " m"}});
-    }
-    for (const auto& [value, word] : {std::pair(-1, "-1"), std::pair(70000, "70000")}) {
-      calls.push_back(
-          {[value = value](Class& object) { object.setMaximumTextureSize(value); },
-           {"texture size", word, "[16, 65500]", "texels"}});
-      calls.push_back(
-          {[value = value](Class& object) { object.setFillDistance(value); },
-           {"fill distance", word, "[0, 1000]", "texels"}});
-    }
+    std::vector<double> values = nonsense;
+    values.push_back(0);
+    Calls calls;
+    refuse(calls, &Class::setTexelSize, values, {"texel size", "[0.0001,", " m"});
+    refuse(calls, &Class::setMaximumDistance, values, {"distance", "[1e-06,", " m"});
+    const std::vector<int> counts{-1, 70000};
+    refuse(calls,
+           &Class::setMaximumTextureSize,
+           counts,
+           {"texture size", "[16, 65500]", "texels"});
+    refuse(calls,
+           &Class::setFillDistance,
+           counts,
+           {"fill distance", "[0, 1000]", "texels"});
     return calls;
   }
 
@@ -110,20 +103,6 @@ struct PlaneTexturingTraits {
           << object.getPaperMode() << ", exposure " << object.getCorrectExposure()
           << ", threads " << object.getNumberOfThreads();
     return words.str();
-  }
-
-  static std::size_t
-  invalidPoints(const Class& object)
-  {
-    return object.getReport().invalid_points;
-  }
-
-  static std::string
-  header()
-  {
-    std::ifstream file(ACMAP_SOURCE_DIR
-                       "/modules/texture/include/pcl/texture/plane_texturing.h");
-    return {std::istreambuf_iterator<char>(file), {}};
   }
 };
 

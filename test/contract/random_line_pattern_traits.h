@@ -4,21 +4,14 @@
 
 #include <pcl/acquisition/random_line_pattern.h>
 
-#include <sstream>
-
 namespace pcl::acmap::test {
 
 /** \brief The class has no input except its settings, and its setters reject invalid
  * values, so that no run can fail. */
-struct RandomLinePatternTraits {
-  using Class = RandomLinePattern;
+struct RandomLinePatternTraits : CommonTraits<RandomLinePattern> {
+  static constexpr const char* header =
+      "acquisition/include/pcl/acquisition/random_line_pattern.h";
   using Output = std::vector<std::uint8_t>;
-
-  static Class
-  make()
-  {
-    return {};
-  }
 
   static void
   run(Class& object, int which, Output& output)
@@ -38,7 +31,7 @@ struct RandomLinePatternTraits {
     return {42};
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -68,12 +61,6 @@ struct RandomLinePatternTraits {
           << ", angle " << object.getMinimumAngle() << ", range "
           << object.getDisparityRange() << ", seed " << object.getSeed();
     return words.str();
-  }
-
-  static std::string
-  header()
-  {
-    return headerText("acquisition/include/pcl/acquisition/random_line_pattern.h");
   }
 };
 

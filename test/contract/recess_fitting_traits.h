@@ -10,6 +10,9 @@ namespace pcl::acmap::test {
 
 struct RecessFittingTraits
 : PatchFittingTraits<RecessFittingTraits, RecessFitting, RecessPatch> {
+  static constexpr const char* header =
+      "segmentation/include/pcl/segmentation/recess_fitting.h";
+
   static bool
   areSame(const RecessPatch& a, const RecessPatch& b)
   {
@@ -33,12 +36,6 @@ struct RecessFittingTraits
     return {wall,
             square(largest, {0, 0, 0.1}, right, up),
             square(largest, -1.5 * up - 3 * back, 3 * right, 6 * back)};
-  }
-
-  static std::string
-  header()
-  {
-    return textOfHeader("recess_fitting.h");
   }
 };
 

@@ -5,13 +5,12 @@
 
 #include <pcl/egomotion/revisit_detection.h>
 
-#include <sstream>
-
 namespace pcl::acmap::test {
 
 /** \brief The output is the motions of the revisits of two views. */
-struct RevisitDetectionTraits {
-  using Class = RevisitDetection<PointXYZRGBSigma>;
+struct RevisitDetectionTraits : CommonTraits<RevisitDetection<PointXYZRGBSigma>> {
+  static constexpr const char* header =
+      "egomotion/include/pcl/egomotion/revisit_detection.h";
   using Output = std::vector<Eigen::Matrix4d>;
 
   static Class
@@ -32,19 +31,13 @@ struct RevisitDetectionTraits {
     output = motionsOf(object);
   }
 
-  static bool
-  isEmpty(const Output& output)
-  {
-    return output.empty();
-  }
-
   static Output
   sentinel()
   {
     return {Eigen::Matrix4d::Constant(42)};
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     return {{[](Class& o) { o.setMinimumSeparation(0); }, {"separation", "0", "views"}},
@@ -75,12 +68,6 @@ struct RevisitDetectionTraits {
     std::ostringstream words;
     words << object.getMinimumSeparation() << ' ' << object.getNumberOfThreads();
     return words.str();
-  }
-
-  static std::string
-  header()
-  {
-    return headerText("egomotion/include/pcl/egomotion/revisit_detection.h");
   }
 
 private:

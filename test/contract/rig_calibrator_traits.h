@@ -12,8 +12,8 @@ namespace pcl::acmap::test {
 /** \brief Constructed with the shots of the first input, so that its parameters can be
  * compared. Uses a pair with few boards in small images, because detecting boards
  * takes most of the time of these tests. */
-struct RigCalibratorTraits {
-  using Class = RigCalibrator;
+struct RigCalibratorTraits : CommonTraits<RigCalibrator> {
+  static constexpr const char* header = "stereo/include/pcl/stereo/rig_calibrator.h";
 
   /** Parameters of the cameras and of the rig. */
   using Output = std::vector<double>;
@@ -70,7 +70,7 @@ struct RigCalibratorTraits {
     return {42};
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -114,12 +114,6 @@ struct RigCalibratorTraits {
     for (const BoardImage& image : object.getReport().images)
       names += image.name + " ";
     return names;
-  }
-
-  static std::string
-  header()
-  {
-    return headerText("stereo/include/pcl/stereo/rig_calibrator.h");
   }
 
 private:

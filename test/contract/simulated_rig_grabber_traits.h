@@ -5,14 +5,13 @@
 #include <pcl/simulation/simulated_rig_grabber.h>
 #include <pcl/simulation/standard_scenes.h>
 
-#include <sstream>
-
 namespace pcl::acmap::test {
 
 /** \brief Its input is set by its constructor, so it is not default-constructible;
  * light and projector are. */
-struct SimulatedRigGrabberTraits {
-  using Class = SimulatedRigGrabber;
+struct SimulatedRigGrabberTraits : CommonTraits<SimulatedRigGrabber> {
+  static constexpr const char* header =
+      "simulation/include/pcl/simulation/simulated_rig_grabber.h";
   using Output = std::vector<std::array<CameraImage, 3>>;
 
   static SimulatedScene
@@ -59,7 +58,7 @@ struct SimulatedRigGrabberTraits {
     return Output(7);
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     return {{[](Class& o) { o.setNumberOfObservations(0); },
@@ -83,12 +82,6 @@ struct SimulatedRigGrabberTraits {
           << object.getNumberOfObservations() << ", threads "
           << object.getNumberOfThreads();
     return words.str();
-  }
-
-  static std::string
-  header()
-  {
-    return headerText("simulation/include/pcl/simulation/simulated_rig_grabber.h");
   }
 };
 

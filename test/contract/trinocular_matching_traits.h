@@ -7,13 +7,13 @@
 #include <pcl/stereo/trinocular_matching.h>
 
 #include <limits>
-#include <sstream>
 
 namespace pcl::acmap::test {
 
 /** \brief Constructed with a rig, so that its parameters can be compared. */
-struct TrinocularMatchingTraits {
-  using Class = TrinocularMatching;
+struct TrinocularMatchingTraits : CommonTraits<TrinocularMatching> {
+  static constexpr const char* header =
+      "stereo/include/pcl/stereo/trinocular_matching.h";
 
   struct Output : MatchedDisparity {
     bool
@@ -58,7 +58,7 @@ struct TrinocularMatchingTraits {
     return output;
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -125,12 +125,6 @@ struct TrinocularMatchingTraits {
           << object.getRequirePairAgreement() << ", threads "
           << object.getNumberOfThreads();
     return words.str();
-  }
-
-  static std::string
-  header()
-  {
-    return headerText("stereo/include/pcl/stereo/trinocular_matching.h");
   }
 };
 

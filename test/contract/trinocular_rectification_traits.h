@@ -7,14 +7,14 @@
 #include <pcl/stereo/trinocular_rectification.h>
 
 #include <limits>
-#include <sstream>
 
 namespace pcl::acmap::test {
 
 /** \brief Constructed with a calibration, so that its parameters can be compared. Its
  * report describes the calibration, not a run. */
-struct TrinocularRectificationTraits {
-  using Class = TrinocularRectification;
+struct TrinocularRectificationTraits : CommonTraits<TrinocularRectification> {
+  static constexpr const char* header =
+      "stereo/include/pcl/stereo/trinocular_rectification.h";
   using Output = std::array<CameraImage, 3>;
 
   static Class
@@ -58,11 +58,11 @@ struct TrinocularRectificationTraits {
     return output;
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    std::vector<RefusedCall<Class>> calls;
+    Calls calls;
     for (const auto& [value, word] :
          {std::pair(0.0, "= 0"), std::pair(nan, "nan"), std::pair(1e4, "10000")})
       calls.push_back({[value = value](Class& o) { o.setNearestDepth(value); },
@@ -97,12 +97,6 @@ struct TrinocularRectificationTraits {
     words << "focal length " << object.getRig().focal_length << ", residual "
           << object.getReport().column_residual;
     return words.str();
-  }
-
-  static std::string
-  header()
-  {
-    return headerText("stereo/include/pcl/stereo/trinocular_rectification.h");
   }
 
 private:

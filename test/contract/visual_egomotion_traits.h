@@ -6,20 +6,14 @@
 #include <pcl/egomotion/visual_egomotion.h>
 
 #include <limits>
-#include <sstream>
 
 namespace pcl::acmap::test {
 
 /** \brief The output is the motion; empty if there is none. */
-struct VisualEgomotionTraits {
-  using Class = VisualEgomotion<PointXYZRGBSigma>;
+struct VisualEgomotionTraits : CommonTraits<VisualEgomotion<PointXYZRGBSigma>> {
+  static constexpr const char* header =
+      "egomotion/include/pcl/egomotion/visual_egomotion.h";
   using Output = Eigen::Matrix4d;
-
-  static Class
-  make()
-  {
-    return {};
-  }
 
   static void
   run(Class& object, int which, Output& output)
@@ -42,7 +36,7 @@ struct VisualEgomotionTraits {
     return Output::Constant(42);
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -85,12 +79,6 @@ struct VisualEgomotionTraits {
           << object.getPaperMode() << ' ' << object.getMaximumRingShifts() << ' '
           << object.getMaximumSectorShifts() << ' ' << object.getNumberOfThreads();
     return words.str();
-  }
-
-  static std::string
-  header()
-  {
-    return headerText("egomotion/include/pcl/egomotion/visual_egomotion.h");
   }
 };
 

@@ -2,17 +2,16 @@
 
 #include "contract.h"
 
+#include <pcl/common/io.h>
 #include <pcl/filters/voxel_consolidation.h>
 
 #include <cstring>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 
 namespace pcl::acmap::test {
 
-struct VoxelConsolidationTraits {
-  using Class = VoxelConsolidation<PointNormal>;
+struct VoxelConsolidationTraits : CommonTraits<VoxelConsolidation<PointNormal>> {
+  static constexpr const char* header =
+      "filters/include/pcl/filters/voxel_consolidation.h";
 
   struct Output : PointCloud<PointNormal> {
     /** Compares bytes, as normals may be NaN. */
@@ -32,12 +31,8 @@ struct VoxelConsolidationTraits {
   static void
   setInput(Class& object, const Cloud& cloud)
   {
-    PointCloud<PointNormal>::Ptr input(new PointCloud<PointNormal>);
-    for (const PointXYZ& place : cloud) {
-      input->push_back(PointNormal());
-      input->back().getVector3fMap() = place.getVector3fMap();
-    }
-    input->is_dense = cloud.is_dense;
+    const PointCloud<PointNormal>::Ptr input(new PointCloud<PointNormal>);
+    copyPointCloud(cloud, *input);
     object.setInputCloud(input);
   }
 
@@ -45,12 +40,6 @@ struct VoxelConsolidationTraits {
   run(Class& object, Output& output)
   {
     object.filter(static_cast<PointCloud<PointNormal>&>(output));
-  }
-
-  static bool
-  isEmpty(const Output& output)
-  {
-    return output.empty();
   }
 
   static Output
@@ -62,22 +51,16 @@ struct VoxelConsolidationTraits {
     return output;
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto size = [](double value) {
-      return [value](Class& object) { object.setVoxelSize(value); };
-    };
-    const auto viewpoint = [](double value) {
-      return [value](Class& object) {
-        object.setViewpoints({{0, static_cast<float>(value), 0}});
-      };
-    };
-    return {{size(-0.5), {"-0.5", "[0,", " m"}},
-            {size(nan), {"nan", "[0,", " m"}},
-            {size(std::numeric_limits<double>::infinity()), {"inf", "[0,", " m"}},
-            {viewpoint(nan), {"nan", "[-1e+09,", " m"}}};
+    Calls calls{
+        {[](Class& object) {
+           object.setViewpoints({{0, std::numeric_limits<float>::quiet_NaN(), 0}});
+         },
+         {"nan", "[-1e+09,", " m"}}};
+    refuse(calls, &Class::setVoxelSize, nonsense, {"[0,", " m"});
+    return calls;
   }
 
   static std::string
@@ -88,20 +71,6 @@ struct VoxelConsolidationTraits {
           << object.getViewpoints().size() << ", sources " << object.getKeepSources()
           << ", threads " << object.getNumberOfThreads();
     return words.str();
-  }
-
-  static std::size_t
-  invalidPoints(const Class& object)
-  {
-    return object.getReport().invalid_points;
-  }
-
-  static std::string
-  header()
-  {
-    std::ifstream file(ACMAP_SOURCE_DIR
-                       "/modules/filters/include/pcl/filters/voxel_consolidation.h");
-    return {std::istreambuf_iterator<char>(file), {}};
   }
 };
 

@@ -7,20 +7,14 @@
 #include <pcl/point_types.h>
 
 #include <limits>
-#include <sstream>
 
 namespace pcl::acmap::test {
 
 /** \brief The output consists of the indices of the remaining matches. */
-struct WorstOutTraits {
-  using Class = registration::CorrespondenceRejectorWorstOut;
+struct WorstOutTraits : CommonTraits<registration::CorrespondenceRejectorWorstOut> {
+  static constexpr const char* header =
+      "egomotion/include/pcl/egomotion/correspondence_rejector_worst_out.h";
   using Output = std::vector<int>;
-
-  static Class
-  make()
-  {
-    return {};
-  }
 
   static PointCloud<PointXYZ>::Ptr
   cloudOf(const std::vector<Eigen::Vector3f>& places)
@@ -55,19 +49,13 @@ struct WorstOutTraits {
       output.push_back(match.index_query);
   }
 
-  static bool
-  isEmpty(const Output& output)
-  {
-    return output.empty();
-  }
-
   static Output
   sentinel()
   {
     return {-42};
   }
 
-  static std::vector<RefusedCall<Class>>
+  static Calls
   refusedCalls()
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -107,13 +95,6 @@ struct WorstOutTraits {
     words << object.getMaximumDistortion() << ' ' << object.getMinimumDistance() << ' '
           << object.getMinimumMatches() << ' ' << object.getSampleSize();
     return words.str();
-  }
-
-  static std::string
-  header()
-  {
-    return headerText("egomotion/include/pcl/egomotion/"
-                      "correspondence_rejector_worst_out.h");
   }
 };
 
