@@ -1,9 +1,11 @@
+#include "map_points.h"
 #include "voting_runs.h"
 
 #include <pcl/PolygonMesh.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/point_types.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #ifdef ACMAP_FEW_POINT_TYPES
@@ -19,24 +21,12 @@ namespace {
 template <typename PointT>
 class AnyPointVotes : public testing::Test {};
 
-using PointTypes = testing::Types<PointXYZ,
-                                  PointXYZI,
-                                  PointXYZRGB,
-                                  PointXYZRGBA,
-                                  PointNormal,
-                                  PointXYZRGBNormal,
-                                  PointXYZRGBNormalView>;
-TYPED_TEST_SUITE(AnyPointVotes, PointTypes);
+TYPED_TEST_SUITE(AnyPointVotes, MapPoints);
 
 TYPED_TEST(AnyPointVotes, theSame)
 {
   const VotingMesh mesh = makeRoughMesh(12, 0.5, 3);
-  const auto cloud = std::make_shared<PointCloud<TypeParam>>();
-  for (const PointXYZ& place : mesh.cloud) {
-    TypeParam point;
-    point.getVector3fMap() = place.getVector3fMap();
-    cloud->push_back(point);
-  }
+  const auto cloud = copyOf<TypeParam>(mesh.cloud);
   cloud->header.frame_id = "map";
   cloud->header.stamp = 77;
   cloud->width = cloud->height = 12;
@@ -135,15 +125,11 @@ TEST(VotingClass, wrongInputIsRefusedAndOutputUntouched)
     TriangleMesh faces = mesh.faces;
     faces.triangles.push_back({0, 1, wrong});
     voting.setTriangles(faces);
-    try {
-      voting.compute(output);
-      ADD_FAILURE() << "corner " << wrong;
-    }
-    catch (const InitFailedException& error) {
-      const std::string text = error.what();
-      EXPECT_NE(text.find(std::to_string(wrong)), std::string::npos) << text;
-      EXPECT_NE(text.find("16 points"), std::string::npos) << text;
-    }
+    EXPECT_THAT([&] { voting.compute(output); },
+                testing::ThrowsMessage<InitFailedException>(
+                    testing::AllOf(testing::HasSubstr(std::to_string(wrong)),
+                                   testing::HasSubstr("16 points"))))
+        << "corner " << wrong;
     voting.setTriangles(mesh.faces);
   }
   EXPECT_EQ(output.size(), 3U);

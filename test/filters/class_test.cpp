@@ -1,8 +1,10 @@
 #include "clouds.h"
 #include "consolidation_runs.h"
+#include "map_points.h"
 
 #include <pcl/conversions.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,26 +23,16 @@ makeSheet(std::uint64_t seed)
   Random random(seed);
   NoisyCloud sheet;
   sheet.addPatch(squarePatch(1, 0.3), 10000, 0.005, random);
-  typename PointCloud<PointT>::Ptr cloud(new PointCloud<PointT>);
-  for (const Eigen::Vector3f& place : sheet.points) {
-    PointT point;
-    point.getVector3fMap() = place;
-    cloud->push_back(point);
-  }
-  return cloud;
+  Cloud places;
+  for (const Eigen::Vector3f& place : sheet.points)
+    places.emplace_back(place.x(), place.y(), place.z());
+  return copyOf<PointT>(places);
 }
 
 template <typename PointT>
 class AnyPoint : public testing::Test {};
 
-using PointTypes = testing::Types<PointXYZ,
-                                  PointXYZI,
-                                  PointXYZRGB,
-                                  PointXYZRGBA,
-                                  PointNormal,
-                                  PointXYZRGBNormal,
-                                  PointXYZRGBNormalView>;
-TYPED_TEST_SUITE(AnyPoint, PointTypes);
+TYPED_TEST_SUITE(AnyPoint, MapPoints);
 
 TYPED_TEST(AnyPoint, isConsolidated)
 {
@@ -103,16 +95,12 @@ TEST(ConsolidationClass, wrongSettingsAreRefused)
 {
   MapConsolidation consolidation;
   for (const double wrong : {-0.1, -1e-300, 2e9, double{nan}, double{infinity}})
-    try {
-      consolidation.setVoxelSize(wrong);
-      ADD_FAILURE() << wrong;
-    }
-    catch (const BadArgumentException& error) {
-      const std::string text = error.what();
-      EXPECT_NE(text.find("voxel size"), std::string::npos) << text;
-      EXPECT_NE(text.find("[0,"), std::string::npos) << text;
-      EXPECT_NE(text.find(" m"), std::string::npos) << text;
-    }
+    EXPECT_THAT([&] { consolidation.setVoxelSize(wrong); },
+                testing::ThrowsMessage<BadArgumentException>(
+                    testing::AllOf(testing::HasSubstr("voxel size"),
+                                   testing::HasSubstr("[0,"),
+                                   testing::HasSubstr(" m"))))
+        << wrong;
   EXPECT_EQ(consolidation.getVoxelSize(), 0);
   for (const float wrong : {nan, infinity, -infinity, 1e10F})
     for (int axis = 0; axis < 3; ++axis) {
@@ -231,11 +219,7 @@ TEST(ConsolidationClass, oneSensorDoesNotSeeTheNextRoom)
 TEST(ConsolidationClass, exactPlanesStayExact)
 {
   for (const ExactPlane plane : {ExactPlane::Level, ExactPlane::Inclined}) {
-    PointCloud<PointNormal>::Ptr cloud(new PointCloud<PointNormal>);
-    for (const PointXYZ& place : makeGrid(40, 40, 0.0625, plane)) {
-      cloud->push_back(PointNormal());
-      cloud->back().getVector3fMap() = place.getVector3fMap();
-    }
+    const auto cloud = copyOf<PointNormal>(makeGrid(40, 40, 0.0625, plane));
     cloud->sensor_origin_ = Eigen::Vector4f(1.25F, 1.25F, 9, 1);
     VoxelConsolidation<PointNormal> consolidation;
     consolidation.setInputCloud(cloud);

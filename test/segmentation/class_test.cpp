@@ -1,4 +1,5 @@
 #include "clustering_runs.h"
+#include "map_points.h"
 
 #include <pcl/conversions.h>
 #include <pcl/core/impl/cloud_fields.h>
@@ -17,29 +18,9 @@ namespace pcl::acmap::test {
 namespace {
 
 template <typename PointT>
-typename PointCloud<PointT>::Ptr
-copyOf(const Cloud& places)
-{
-  const auto cloud = std::make_shared<PointCloud<PointT>>();
-  for (const PointXYZ& place : places) {
-    PointT point;
-    point.getVector3fMap() = place.getVector3fMap();
-    cloud->push_back(point);
-  }
-  return cloud;
-}
-
-template <typename PointT>
 class AnyPointClusters : public testing::Test {};
 
-using PointTypes = testing::Types<PointXYZ,
-                                  PointXYZI,
-                                  PointXYZRGB,
-                                  PointXYZRGBA,
-                                  PointNormal,
-                                  PointXYZRGBNormal,
-                                  PointXYZRGBNormalView>;
-TYPED_TEST_SUITE(AnyPointClusters, PointTypes);
+TYPED_TEST_SUITE(AnyPointClusters, MapPoints);
 
 TYPED_TEST(AnyPointClusters, theSame)
 {

@@ -125,43 +125,6 @@ TEST(SimulatedRigGrabber, NothingIsCalledAfterStop)
   EXPECT_EQ(calls, 18);
 }
 
-TEST(SimulatedRigGrabber, StopsFromWithinACallback)
-{
-  const Given given;
-  SimulatedRigGrabber grabber(given.scene, given.patterns, given.light);
-  int calls = 0;
-  grabber.registerCallback(callback([&](const auto&) {
-    grabber.wait();    // returns at once
-    grabber.trigger(); // has no effect
-    if (++calls == 4)
-      grabber.stop();
-  }));
-  grabber.start();
-  grabber.wait();
-  EXPECT_EQ(calls, 4);
-  EXPECT_FALSE(grabber.getError());
-}
-
-TEST(SimulatedRigGrabber, EndsWithWhatACallbackThrows)
-{
-  const Given given;
-  SimulatedRigGrabber grabber(given.scene, given.patterns, given.light);
-  bool throws = true;
-  grabber.registerCallback(callback([&](const auto& frame) {
-    if (throws && frame->number == 2)
-      throw OutputFileException("full");
-  }));
-  grabber.start();
-  grabber.wait();
-  ASSERT_TRUE(grabber.getError());
-  EXPECT_THROW(std::rethrow_exception(grabber.getError()), OutputFileException);
-  throws = false;
-  grabber.start();
-  grabber.wait();
-  EXPECT_FALSE(grabber.getError());
-  EXPECT_FALSE(grabber.isRunning());
-}
-
 TEST(SimulatedRigGrabber, TriggerGivesOneShotAfterTheOther)
 {
   const Given given;
