@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "screen.h"
 #include "virtual_display.h"
 
@@ -48,13 +49,7 @@ template <typename Exception, typename Call>
 std::string
 refusal(const Call& call)
 {
-  try {
-    call();
-  }
-  catch (const Exception& error) {
-    return error.what();
-  }
-  return "";
+  return messageOf<Exception>(call);
 }
 
 class ShownPattern : public testing::Test {

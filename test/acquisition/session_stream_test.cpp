@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "session_frames.h"
 #include "temporary_folder.h"
 
@@ -22,19 +23,6 @@ using FrameNumbers = std::vector<std::uint64_t>;
 
 constexpr std::size_t recorded = 6;
 constexpr float fast = 1000;
-
-std::string
-errorOf(const TrinocularGrabber& grabber)
-{
-  try {
-    if (grabber.getError())
-      std::rethrow_exception(grabber.getError());
-  }
-  catch (const std::exception& exception) {
-    return exception.what();
-  }
-  return "";
-}
 
 /** A session of six frames, and the frames delivered by a grabber. */
 class SessionStream : public testing::Test {

@@ -1,4 +1,5 @@
 #include "active_stereo_runs.h"
+#include "json_file.h"
 
 #include <pcl/stereo/trinocular_matching.h>
 
@@ -31,7 +32,7 @@ protected:
     more.insert(more.end(), {"--report", report});
     const ToolRun run = runLists(more);
     EXPECT_EQ(run.exit_code, 0) << run.err;
-    return nlohmann::json::parse(contentOf(report));
+    return jsonOfFile(report);
   }
 
   /** What TrinocularMatching finds by its defaults within the range of a report. */
@@ -76,8 +77,7 @@ expectGood(const TruthFit& fit, double min_found)
 
 TEST_F(ActiveStereoLists, MakeOneObservationAndItsDisparities)
 {
-  const ToolRun run = runLists();
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runLists().succeeded();
   EXPECT_THAT(run.out, HasSubstr("observations: 1\n"));
   const DisparityImage disparity = loadPfm(out("disparity.pfm"));
   expectGood(fitOf(disparity, session()), 0.85);
@@ -86,7 +86,7 @@ TEST_F(ActiveStereoLists, MakeOneObservationAndItsDisparities)
 
   // the session's points, except for the colours from the shot without a pattern
   std::filesystem::remove_all(out_);
-  ASSERT_EQ(runSession().exit_code, 0);
+  runSession().succeeded();
   const StereoCloud cloud = loadStereo(out("observation_0000.pcd")).cloud;
   ASSERT_EQ(cloud.size(), lists.size());
   std::size_t colored = 0;
@@ -105,7 +105,7 @@ TEST_F(ActiveStereoLists, MakeOneObservationAndItsDisparities)
 TEST_F(ActiveStereoLists, ColoursMayComeFromAnImage)
 {
   const std::string off = filmed_->path("off.png");
-  ASSERT_EQ(runLists({"--color", off}).exit_code, 0);
+  runLists({"--color", off}).succeeded();
   const RgbImage image = loadRgbImage(off);
   const StereoCloud cloud = loadStereo(out("observation_0000.pcd")).cloud;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -166,7 +166,7 @@ TEST_F(ActiveStereoPair, SummaryTellsHowItWasMatched)
 
 TEST_F(ActiveStereoPair, HasTheColoursOfTheReference)
 {
-  ASSERT_EQ(runLists().exit_code, 0);
+  runLists().succeeded();
   const RgbImage image = loadRgbImage(images_[0][0]);
   const StereoCloud cloud = loadStereo(out("observation_0000.pcd")).cloud;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -206,8 +206,7 @@ TEST_F(ActiveStereoPair, ThresholdsReachTheMatcher)
 TEST_F(ActiveStereoLists, DepthsThatNoImageReachesAreNotPromised)
 {
   // 160 columns: the maximum disparity is 159 px
-  const ToolRun run = runLists({"--min-depth", "0.01"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runLists({"--min-depth", "0.01"}).succeeded();
   EXPECT_THAT(run.out, HasSubstr("0 to 159 px, depths of 0.0818 to 10 m"));
   std::filesystem::remove_all(out_);
   expectRefused(runLists({"--min-depth", "0.01", "--max-depth", "0.05"}),
@@ -219,8 +218,7 @@ TEST_F(ActiveStereoLists, AllMethodsFindTheTruth)
 {
   std::vector<std::string> found;
   for (const char* method : {"median", "statistical", "spacetime"}) {
-    const ToolRun run = runLists({"--method", method});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const ToolRun run = runLists({"--method", method}).succeeded();
     EXPECT_THAT(run.out, HasSubstr(method));
     expectGood(fitOf(loadPfm(out("disparity.pfm")), session()), 0.85);
     found.push_back(contentOf(out("disparity.pfm")));
@@ -233,10 +231,8 @@ TEST_F(ActiveStereoLists, AllMethodsFindTheTruth)
 TEST_F(ActiveStereoLists, DepthsBoundSearchAndPoints)
 {
   const std::string report = folder_.path("report.json");
-  const ToolRun run =
-      runLists({"--min-depth", "1.2", "--max-depth", "2", "--report", report});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const auto json = nlohmann::json::parse(contentOf(report));
+  runLists({"--min-depth", "1.2", "--max-depth", "2", "--report", report}).succeeded();
+  const auto json = jsonOfFile(report);
   EXPECT_EQ(json["least_disparity"], 5); // 6.5 px at 2 m, minus one pixel, rounded down
   EXPECT_EQ(json["most_disparity"], 12); // 10.8 px at 1.2 m, rounded up, plus one pixel
   for (const PointXYZRGBSigma& point : loadStereo(out("observation_0000.pcd")).cloud)
@@ -250,11 +246,10 @@ TEST_F(ActiveStereoLists, ThresholdsReachTheMatcher)
 {
   const auto matched = [&](const std::vector<std::string>& more) {
     const std::string report = folder_.path("report.json");
-    std::vector<std::string> all = {"--report", report};
-    all.insert(all.end(), more.begin(), more.end());
+    std::vector<std::string> all = joined({"--report", report}, more);
     EXPECT_EQ(runLists(all).exit_code, 0);
     std::filesystem::remove_all(out_);
-    return nlohmann::json::parse(contentOf(report))["outcomes"];
+    return jsonOfFile(report)["outcomes"];
   };
   const auto plain = matched({});
   EXPECT_GT(matched({"--min-texture", "20"})["untextured"], plain["untextured"]);

@@ -112,18 +112,18 @@ void
 ActiveStereoRuns::SetUpTestSuite()
 {
   filmed_ = new TemporaryFolder;
-  const ToolRun run = runTool(ACMAP_SIMULATED_RIG,
-                              {"-o",
-                               session(),
-                               "--scene",
-                               filmed_->write("room.yaml", room),
-                               "--patterns",
-                               "6",
-                               "--projector-power",
-                               "4",
-                               "--exposure",
-                               "0.7"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runTool(ACMAP_SIMULATED_RIG,
+          {"-o",
+           session(),
+           "--scene",
+           filmed_->write("room.yaml", room),
+           "--patterns",
+           "6",
+           "--projector-power",
+           "4",
+           "--exposure",
+           "0.7"})
+      .succeeded();
   listed_ = writeImages(session(), *filmed_);
 }
 
@@ -138,9 +138,7 @@ ToolRun
 ActiveStereoRuns::runSession(const std::vector<std::string>& more,
                              const RunSettings& settings) const
 {
-  std::vector<std::string> all = {input_, "-o", out_};
-  all.insert(all.end(), more.begin(), more.end());
-  return runTool(ACMAP_ACTIVE_STEREO, all, settings);
+  return runTool(ACMAP_ACTIVE_STEREO, joined({input_, "-o", out_}, more), settings);
 }
 
 ToolRun
@@ -163,11 +161,7 @@ ActiveStereoRuns::expectRefused(const ToolRun& run,
                                 int exit_code,
                                 const std::string& word) const
 {
-  EXPECT_EQ(run.exit_code, exit_code) << run.err;
-  EXPECT_EQ(run.out, "");
-  EXPECT_EQ(run.errorLines(), 1u) << run.err;
-  EXPECT_THAT(run.err, testing::HasSubstr("pcl_active_stereo: "));
-  EXPECT_THAT(run.err, testing::HasSubstr(word));
+  test::expectRefused(run, exit_code, word);
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 

@@ -1,4 +1,5 @@
 #include "active_stereo_runs.h"
+#include "json_file.h"
 #include "simulated_runs.h"
 #include "unfinished_file.h"
 
@@ -35,8 +36,7 @@ copiedWithout(const std::string& session,
 
 TEST_F(ActiveStereoSession, ObservationsLieOnTheTruth)
 {
-  const ToolRun run = runSession();
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runSession().succeeded();
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, HasSubstr("observations: 2\n"));
   EXPECT_THAT(run.out, HasSubstr("14, taken as rectified"));
@@ -59,7 +59,7 @@ TEST_F(ActiveStereoSession, ObservationsLieOnTheTruth)
 
 TEST_F(ActiveStereoSession, PointsAreInTheCameraFrameWithColourEverywhere)
 {
-  ASSERT_EQ(runSession().exit_code, 0);
+  runSession().succeeded();
   const TrinocularRig rig = loadTrinocularRig(rig_);
   const auto frames = framesOf(session());
   ASSERT_EQ(frames[0]->pattern, TrinocularFrame::no_pattern);
@@ -95,8 +95,7 @@ TEST_F(ActiveStereoSession, KnownPosesAreTakenByNumberWhereTheyAreNamed)
     first.push_back("frame_00000" + std::to_string(i) + ".acf");
   input_ = copiedWithout(session(), folder_, first);
   const std::string poses = session() + "/trajectory.txt";
-  const ToolRun run = runSession({"--poses", poses});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runSession({"--poses", poses}).succeeded();
   EXPECT_FALSE(std::filesystem::exists(out("observation_0000.pcd")));
   EXPECT_EQ(contentOf(out("trajectory.txt")), contentOf(poses));
   const Eigen::Isometry3f pose = loadTrajectory(poses).poses[1].cast<float>();
@@ -118,24 +117,24 @@ TEST_F(ActiveStereoSession, PosesOfOtherObservationsAreRefused)
 TEST_F(ActiveStereoSession, NamesMayHaveSpacesAndAnyLetters)
 {
   const std::string poses = session() + "/trajectory.txt";
-  ASSERT_EQ(runSession({"--poses", poses}).exit_code, 0);
+  runSession({"--poses", poses}).succeeded();
   const std::string plain = contentOf(out("observation_0001.pcd"));
   input_ = folder_.path("a ö");
   std::filesystem::copy(session(), input_);
   out_ = folder_.path("ö ut");
   const std::string report = folder_.path("é r.json");
   const ToolRun run =
-      runSession({"--poses", input_ + "/trajectory.txt", "--report", report});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+      runSession({"--poses", input_ + "/trajectory.txt", "--report", report})
+          .succeeded();
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(contentOf(out("observation_0001.pcd")), plain);
   EXPECT_EQ(contentOf(out("trajectory.txt")), contentOf(poses));
-  EXPECT_EQ(nlohmann::json::parse(contentOf(report))["observations"].size(), 2u);
+  EXPECT_EQ(jsonOfFile(report)["observations"].size(), 2u);
 }
 
 TEST_F(ActiveStereoSession, DisparitiesAreWrittenOnRequest)
 {
-  ASSERT_EQ(runSession({"--disparity"}).exit_code, 0);
+  runSession({"--disparity"}).succeeded();
   const DisparityImage disparity = loadPfm(out("disparity_0001.pfm"));
   const GrayImage16 picture = loadGrayImage16(out("disparity_0001.png"));
   const StereoCloud cloud = loadStereo(out("observation_0001.pcd")).cloud;
@@ -167,11 +166,11 @@ TEST_F(ActiveStereoSession, DisparitiesAreWrittenOnRequest)
 TEST_F(ActiveStereoSession, ShotsWithoutProjectedLightAreMatchedOnRequest)
 {
   const std::string path = folder_.path("report.json");
-  const ToolRun run = runSession({"--unlit", "--disparity", "--report", path});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run =
+      runSession({"--unlit", "--disparity", "--report", path}).succeeded();
   EXPECT_THAT(run.out, HasSubstr(" 2, taken as rectified"));
   EXPECT_THAT(run.out, HasSubstr("passive stereo, shots without projected light"));
-  const auto report = nlohmann::json::parse(contentOf(path));
+  const auto report = jsonOfFile(path);
   EXPECT_EQ(report["method"], "passive");
   EXPECT_EQ(report["observations"][0]["shots"], 0);
   EXPECT_EQ(report["observations"][0]["off_shots"], 1);
@@ -186,7 +185,7 @@ TEST_F(ActiveStereoSession, ShotsWithoutProjectedLightAreMatchedOnRequest)
     savePng(images_[i][0], RgbImage{image.width, image.height, image.values});
   }
   std::filesystem::remove_all(out_);
-  ASSERT_EQ(runLists().exit_code, 0);
+  runLists().succeeded();
   const DisparityImage pair = loadPfm(out("disparity.pfm"));
   ASSERT_EQ(passive.values.size(), pair.values.size());
   EXPECT_EQ(std::memcmp(passive.values.data(),
@@ -207,21 +206,20 @@ TEST_F(ActiveStereoSession, WithoutAnUnlitShotThereIsNothingToMatchPassively)
 TEST_F(ActiveStereoSession, RawFramesAreRectified)
 {
   const std::string raw = folder_.path("raw");
-  const ToolRun film = runTool(ACMAP_SIMULATED_RIG,
-                               {"-o",
-                                raw,
-                                "--scene",
-                                filmed_->path("room.yaml"),
-                                "--patterns",
-                                "5",
-                                "--observations",
-                                "1",
-                                "--cameras",
-                                ACMAP_SHARE "/rigs/digiclops_built.yaml"});
-  ASSERT_EQ(film.exit_code, 0) << film.err;
+  runTool(ACMAP_SIMULATED_RIG,
+          {"-o",
+           raw,
+           "--scene",
+           filmed_->path("room.yaml"),
+           "--patterns",
+           "5",
+           "--observations",
+           "1",
+           "--cameras",
+           ACMAP_SHARE "/rigs/digiclops_built.yaml"})
+      .succeeded();
   input_ = raw;
-  const ToolRun run = runSession({"--min-depth", "1"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runSession({"--min-depth", "1"}).succeeded();
   EXPECT_THAT(run.out, HasSubstr("6, rectified here"));
   const StereoCloud cloud = loadStereo(out("observation_0000.pcd")).cloud;
   const TruthFit fit =
@@ -236,8 +234,8 @@ TEST_F(ActiveStereoSession, RawFramesAreRectified)
   const std::string first = contentOf(out("observation_0000.pcd"));
   std::filesystem::remove_all(out_);
   const ToolRun lists =
-      runLists({"--rectify", "--min-depth", "1", "--color", folder_.path("off.png")});
-  ASSERT_EQ(lists.exit_code, 0) << lists.err;
+      runLists({"--rectify", "--min-depth", "1", "--color", folder_.path("off.png")})
+          .succeeded();
   EXPECT_EQ(lists.err, "");
   EXPECT_EQ(contentOf(out("observation_0000.pcd")), first);
   std::filesystem::remove_all(out_);
@@ -247,10 +245,9 @@ TEST_F(ActiveStereoSession, RawFramesAreRectified)
 TEST_F(ActiveStereoSession, ReportTellsOfEachObservation)
 {
   const std::string report = folder_.path("report.json");
-  const ToolRun run = runSession({"--report", report, "--quiet"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runSession({"--report", report, "--quiet"}).succeeded();
   EXPECT_EQ(run.out + run.err, "");
-  const auto json = nlohmann::json::parse(contentOf(report));
+  const auto json = jsonOfFile(report);
   EXPECT_EQ(json["frames"], "rectified");
   EXPECT_EQ(json["method"], "spacetime");
   EXPECT_EQ(json["least_disparity"], 0);
@@ -281,10 +278,9 @@ TEST_F(ActiveStereoSession, BrokenFramesAreLeftOut)
   input_ = copiedWithout(session(), folder_, {"frame_000003.acf"});
   std::filesystem::resize_file(input_ + "/frame_000009.acf", 2000);
   const std::string report = folder_.path("report.json");
-  const ToolRun run = runSession({"--report", report});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runSession({"--report", report}).succeeded();
   EXPECT_THAT(run.err, HasSubstr("frame 9"));
-  const auto json = nlohmann::json::parse(contentOf(report));
+  const auto json = jsonOfFile(report);
   EXPECT_EQ(json["broken_frames"], nlohmann::json({9}));
   EXPECT_THAT(json["findings"].dump(), HasSubstr("frame 9"));
   EXPECT_EQ(json["observations"][0]["shots"], 5);
@@ -305,8 +301,7 @@ TEST_F(ActiveStereoSession, AnObservationThatComesAgainIsNotOverwritten)
     }
     recorder.finish();
   }
-  const ToolRun run = runSession();
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runSession().succeeded();
   EXPECT_THAT(run.err, HasSubstr("observation 0: its frames from 12 on are left out"));
   EXPECT_THAT(run.out, HasSubstr("observations: 2\n"));
 }
@@ -318,8 +313,7 @@ TEST_F(ActiveStereoSession, ObservationsOfWhichNothingIsLeft)
   for (int i = 1; i < 7; ++i)
     shots.push_back("frame_00000" + std::to_string(i) + ".acf");
   input_ = copiedWithout(session(), folder_, shots);
-  const ToolRun run = runSession();
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runSession().succeeded();
   EXPECT_THAT(run.err, HasSubstr("observation 0: "));
   const StereoCloud cloud = loadStereo(out("observation_0000.pcd")).cloud;
   ASSERT_EQ(cloud.width, 160u);

@@ -1,4 +1,5 @@
 #include "digiclops_runs.h"
+#include "json_file.h"
 #include "simulated_runs.h"
 #include "temporary_folder.h"
 #include "video_writer.h"
@@ -43,17 +44,6 @@ runCameras(const std::vector<std::string>& arguments, const RunSettings& setting
   return runTool(ACMAP_CAMERA_GRABBER, arguments, settings);
 }
 
-void
-expectFails(const ToolRun& run, int exit_code, const std::string& word)
-{
-  EXPECT_EQ(run.exit_code, exit_code) << "signal " << run.signal << "\n" << run.err;
-  EXPECT_EQ(run.out, "");
-  const std::string lines = run.err.substr(0, run.err.size() - !run.err.empty());
-  const std::string last = lines.substr(lines.rfind('\n') + 1);
-  EXPECT_THAT(last, testing::StartsWith("pcl_camera_grabber: "));
-  EXPECT_THAT(last, HasSubstr(word));
-}
-
 /** \brief Two simulated webcams that look at a corner of a room, and a projector on a
  * virtual screen. */
 class CameraPair : public testing::Test {
@@ -75,8 +65,7 @@ protected:
     film_ = new FilmedByCamera(
         loadSimulatedScene(folders_->write("corner.yaml", corner)), lights_);
     recordPair(*film_, truth());
-    const ToolRun stereo = runTool(ACMAP_ACTIVE_STEREO, {truth(), "-o", trueClouds()});
-    ASSERT_EQ(stereo.exit_code, 0) << stereo.err;
+    runTool(ACMAP_ACTIVE_STEREO, {truth(), "-o", trueClouds()}).succeeded();
   }
 
   static void
@@ -103,19 +92,19 @@ protected:
   ToolRun
   grab(const std::vector<std::string>& more = {}, const RunSettings& settings = {})
   {
-    std::vector<std::string> all = {"--device",
-                                    cameras_->devices()[0],
-                                    cameras_->devices()[1],
-                                    "--rig",
-                                    truth() + "/rig.yaml",
-                                    "--pcd",
-                                    clouds_,
-                                    "-o",
-                                    recorded_,
-                                    "--patterns",
-                                    std::to_string(patterns)};
-    all.insert(all.end(), more.begin(), more.end());
-    return runCameras(all, settings);
+    return runCameras(joined({"--device",
+                              cameras_->devices()[0],
+                              cameras_->devices()[1],
+                              "--rig",
+                              truth() + "/rig.yaml",
+                              "--pcd",
+                              clouds_,
+                              "-o",
+                              recorded_,
+                              "--patterns",
+                              std::to_string(patterns)},
+                             more),
+                      settings);
   }
 
   static std::string
@@ -150,8 +139,7 @@ FilmedByCamera* CameraPair::film_ = nullptr;
 TEST_F(CameraPair, ObservationsAreTheSimulatorsOwn)
 {
   const std::string report = folder_.path("report.json");
-  const ToolRun run = grab({"--observations", "2", "--report", report});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = grab({"--observations", "2", "--report", report}).succeeded();
   expectSameFiles(clouds_, trueClouds());
   const auto frames = framesOf(recorded_);
   const auto own = framesOf(truth());
@@ -162,7 +150,7 @@ TEST_F(CameraPair, ObservationsAreTheSimulatorsOwn)
     EXPECT_TRUE(frames[i]->images == own[i]->images) << i;
   }
   EXPECT_THAT(run.err, HasSubstr("its exposure cannot be fixed")); // of a pipeline
-  const auto json = nlohmann::json::parse(contentOf(report));
+  const auto json = jsonOfFile(report);
   EXPECT_EQ(json["cameras"].size(), 2u);
   EXPECT_EQ(json["cameras"][0]["rate"], 30);
   EXPECT_EQ(json["frames"], 2 * (patterns + 1));
@@ -174,8 +162,7 @@ TEST_F(CameraPair, TimeToSettleIsMeasured)
   projector_->setDelay(
       std::chrono::milliseconds(300)); // six images; five are discarded
   const std::string report = folder_.path("report.json");
-  const ToolRun run = grab({"--settle", "auto", "--report", report});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = grab({"--settle", "auto", "--report", report}).succeeded();
   EXPECT_THAT(run.err, HasSubstr("the projector settles in "));
   EXPECT_TRUE(contentOf(clouds_ + "/observation_0000.pcd") ==
               contentOf(trueClouds() + "/observation_0000.pcd"));
@@ -203,36 +190,36 @@ TEST_F(CameraPair, ASceneThatMovesIsTold)
 TEST_F(CameraPair, MakesAMap)
 {
   const std::string map = folder_.path("map");
-  const ToolRun run = runCameras({"--device",
-                                  cameras_->devices()[0],
-                                  cameras_->devices()[1],
-                                  "--rig",
-                                  truth() + "/rig.yaml",
-                                  "--map",
-                                  map,
-                                  "--patterns",
-                                  std::to_string(patterns)});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const auto planes = nlohmann::json::parse(contentOf(map + "/map.json"))["planes"];
+  runCameras({"--device",
+              cameras_->devices()[0],
+              cameras_->devices()[1],
+              "--rig",
+              truth() + "/rig.yaml",
+              "--map",
+              map,
+              "--patterns",
+              std::to_string(patterns)})
+      .succeeded();
+  const auto planes = jsonOfFile(map + "/map.json")["planes"];
   EXPECT_EQ(planes.size(), 3u);
 }
 
 TEST_F(CameraPair, WithoutAProjectorStillFramesAreStreamed)
 {
-  const ToolRun run = runCameras({"--device",
-                                  cameras_->devices()[0],
-                                  cameras_->devices()[1],
-                                  "--rig",
-                                  truth() + "/rig.yaml",
-                                  "-o",
-                                  recorded_,
-                                  "--patterns",
-                                  "0",
-                                  "--rate",
-                                  "10",
-                                  "--frames",
-                                  "6"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runCameras({"--device",
+              cameras_->devices()[0],
+              cameras_->devices()[1],
+              "--rig",
+              truth() + "/rig.yaml",
+              "-o",
+              recorded_,
+              "--patterns",
+              "0",
+              "--rate",
+              "10",
+              "--frames",
+              "6"})
+      .succeeded();
   EXPECT_EQ(framesOf(recorded_).size(), 6u);
   EXPECT_TRUE(framesOf(recorded_)[5]->images == framesOf(truth())[0]->images);
 }
@@ -268,8 +255,7 @@ protected:
          const std::string& rig,
          const std::vector<std::string>& more = {}) const
   {
-    std::vector<std::string> all = {"--device"};
-    all.insert(all.end(), devices.begin(), devices.end());
+    std::vector<std::string> all = joined({"--device"}, devices);
     all.insert(all.end(), {"--rig", rig, "--patterns", "0", "-o", recorded_});
     all.insert(all.end(), more.begin(), more.end());
     return runCameras(all);
@@ -289,8 +275,7 @@ std::vector<std::string> CameraVideos::videos_;
 
 TEST_F(CameraVideos, AreRecordedWhereTheSceneStandsStill)
 {
-  const ToolRun run = stream(videos_, rig());
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = stream(videos_, rig()).succeeded();
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, HasSubstr("30 images/s, a recording"));
   // 10 for the warm-up, one to compare, and for three changes of the light two each

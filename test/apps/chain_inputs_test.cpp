@@ -68,8 +68,7 @@ protected:
 
 TEST_F(ChainInputs, ObservationsWithoutPoses)
 {
-  const ToolRun run = runChain(observations(), out_);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runChain(observations(), out_).succeeded();
   EXPECT_EQ(start(), "observations");
   EXPECT_THAT(stagesOf(out_), ElementsAre("egomotion", "rectification", "map"));
   EXPECT_EQ(contentOf(out_ + "/map.json"), contentOf(map_ + "/map.json"));
@@ -77,8 +76,7 @@ TEST_F(ChainInputs, ObservationsWithoutPoses)
 
 TEST_F(ChainInputs, ObservationsWithATrajectory)
 {
-  const ToolRun run = runChain(posedObservations(), out_, {"--no-rectification"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runChain(posedObservations(), out_, {"--no-rectification"}).succeeded();
   EXPECT_EQ(start(), "posed observations");
   EXPECT_THAT(stagesOf(out_), ElementsAre("map"));
   const Trajectory taken = loadTrajectory(out_ + "/trajectory.txt");
@@ -94,8 +92,7 @@ TEST_F(ChainInputs, ObservationsWithViewpoints)
 {
   const std::string input = observations();
   setViewpoints(input, loadTrajectory(map_ + "/trajectory.txt"));
-  const ToolRun run = runChain(input, out_);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runChain(input, out_).succeeded();
   EXPECT_EQ(start(), "posed observations");
   EXPECT_THAT(stagesOf(out_), ElementsAre("rectification", "map"));
   EXPECT_EQ(loadTrajectory(out_ + "/trajectory.txt").poses.size(), 3u);
@@ -184,8 +181,7 @@ TEST_F(ChainInputs, OneObservationAloneIsPosed)
   const std::string input = observations();
   fs::remove(observation(input, 1));
   fs::remove(observation(input, 2));
-  const ToolRun run = runChain(input, out_);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runChain(input, out_).succeeded();
   EXPECT_THAT(stagesOf(out_), ElementsAre("map"));
   EXPECT_EQ(jsonOfFile(out_ + "/report.json").at("observations"), 1);
   EXPECT_FALSE(fs::exists(out_ + "/trajectory_before.txt"));
@@ -193,8 +189,7 @@ TEST_F(ChainInputs, OneObservationAloneIsPosed)
 
 TEST_F(ChainInputs, OneCloud)
 {
-  const ToolRun run = runChain(map_ + "/map.pcd", out_);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runChain(map_ + "/map.pcd", out_).succeeded();
   EXPECT_EQ(start(), "cloud");
   EXPECT_THAT(stagesOf(out_), ElementsAre("map"));
   EXPECT_FALSE(fs::exists(out_ + "/trajectory.txt"));
@@ -205,9 +200,7 @@ TEST_F(ChainInputs, OneCloud)
 TEST_F(ChainInputs, ASessionWithKnownPosesNeedsNoEgomotion)
 {
   const std::string poses = session_ + "/trajectory.txt";
-  const ToolRun run =
-      runSessionChain(session_, out_, {"--poses", poses, "--no-rectification"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runSessionChain(session_, out_, {"--poses", poses, "--no-rectification"}).succeeded();
   EXPECT_THAT(stagesOf(out_), ElementsAre("observations", "map"));
   const Trajectory truth = loadTrajectory(poses);
   const Trajectory taken = loadTrajectory(out_ + "/trajectory.txt");
@@ -284,8 +277,7 @@ TEST_F(ChainInputs, BrokenObservationsAreSkippedOnRequest)
   setViewpoints(input, loadTrajectory(map_ + "/trajectory.txt"));
   std::ofstream(observation(input, 0)) << "VERSION";
   refuse(input, {}, 3, "observation_0000.pcd");
-  const ToolRun run = runChain(input, out_, {"--skip-broken"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runChain(input, out_, {"--skip-broken"}).succeeded();
   EXPECT_EQ(start(), "posed observations");
   EXPECT_THAT(run.err, HasSubstr("observation_0000.pcd"));
   EXPECT_EQ(jsonOfFile(out_ + "/report.json").at("observations"), 2);
@@ -295,8 +287,7 @@ TEST_F(ChainInputs, BrokenObservationsAreSkippedOnRequest)
 TEST_F(ChainTest, ExtendsAMapThatHasSeenTheSamePlace)
 {
   const std::string out = folder_.path("extended");
-  const ToolRun run = runSessionChain(session_, out, {"--extend", map_});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runSessionChain(session_, out, {"--extend", map_}).succeeded();
   EXPECT_THAT(run.out, HasSubstr("places that both maps have seen"));
   EXPECT_THAT(
       stagesOf(out),

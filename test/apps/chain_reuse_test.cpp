@@ -134,7 +134,7 @@ TEST_F(ChainReuse, PicturesStayWithTheirMapAndGoWithIt)
     GTEST_SKIP() << "there is no X server, and Xvfb is not installed";
   // as in the first run, but with pictures
   const std::vector<std::string> command = {session_, "-o", map_, "--min-depth", "1"};
-  ASSERT_EQ(runTool(ACMAP_COMPACT_MAPPING, command).exit_code, 0);
+  runTool(ACMAP_COMPACT_MAPPING, command).succeeded();
   EXPECT_EQ(madeStages(map_), Stages{"map"});
   const auto with_pictures = resultsIn(map_);
   const char* const pictures[] = {"pictures/inside.png",
@@ -149,8 +149,7 @@ TEST_F(ChainReuse, PicturesStayWithTheirMapAndGoWithIt)
   EXPECT_THAT(differing(resultsIn(map_), with_pictures), IsEmpty());
   EXPECT_THAT(contentOf(map_ + "/report.html"), HasSubstr("The map from inside"));
 
-  const ToolRun other = runAgain({"--texel", "0.03"});
-  ASSERT_EQ(other.exit_code, 0) << other.err;
+  const ToolRun other = runAgain({"--texel", "0.03"}).succeeded();
   const std::size_t line = other.out.find("removed:");
   ASSERT_NE(line, std::string::npos) << other.out;
   for (const char* name : pictures) {

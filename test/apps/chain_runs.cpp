@@ -93,9 +93,9 @@ runChain(const std::string& input,
          RunSettings settings)
 {
   settings.environment.emplace(settings.environment.begin(), "DISPLAY", std::nullopt);
-  std::vector<std::string> arguments = {input, "-o", output, "--no-pictures"};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  return runTool(ACMAP_COMPACT_MAPPING, arguments, settings);
+  return runTool(ACMAP_COMPACT_MAPPING,
+                 joined({input, "-o", output, "--no-pictures"}, options),
+                 settings);
 }
 
 ToolRun

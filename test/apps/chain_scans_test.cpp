@@ -130,9 +130,8 @@ protected:
 TEST_F(ChainScans, GiveTheMapOfTheSameCloudsAsPcds)
 {
   const std::string of_pcds = folder_.path("of_pcds");
-  ASSERT_EQ(runChain(pcds_, of_pcds).exit_code, 0);
-  const ToolRun run = runChain(scans(Eigen::Isometry3d::Identity()), out_);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runChain(pcds_, of_pcds).succeeded();
+  runChain(scans(Eigen::Isometry3d::Identity()), out_).succeeded();
   EXPECT_THAT(stagesOf(out_), ElementsAre("observations", "rectification", "map"));
   const CompactMap map = loadMapFile(out_ + "/map.json"),
                    expected = loadMapFile(of_pcds + "/map.json");
@@ -179,10 +178,9 @@ TEST_F(ChainScans, ABagGivesTheMapOfTheSameCloudsAsPcds)
   }
   saveTrajectory(pcds_ + "/trajectory.txt", from_first);
   const std::string of_pcds = folder_.path("of_pcds");
-  ASSERT_EQ(runChain(pcds_, of_pcds).exit_code, 0);
+  runChain(pcds_, of_pcds).succeeded();
   const std::string path = folder_.write("robot.mcap", bag.finish());
-  const ToolRun run = runChain(path, out_);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runChain(path, out_).succeeded();
   EXPECT_THAT(stagesOf(out_), ElementsAre("observations", "rectification", "map"));
   expectSamePlanes(loadMapFile(out_ + "/map.json"), loadMapFile(of_pcds + "/map.json"));
   runChain(path, out_);
@@ -219,9 +217,9 @@ TEST_F(ChainScans, CoordinatesOfANationalGridComeBack)
   Eigen::Isometry3d T_grid_map = Eigen::Isometry3d::Identity();
   T_grid_map.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0; // z up
   T_grid_map.translation() << 452300.25, 5411200.5, 310;
-  const ToolRun run = runChain(
-      scans(T_grid_map), out_, {"--no-rectification", "--formats", "dxf,ifc,geojson"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runChain(
+      scans(T_grid_map), out_, {"--no-rectification", "--formats", "dxf,ifc,geojson"})
+      .succeeded();
   EXPECT_FALSE(fs::exists(out_ + "/map.html"));
   EXPECT_FALSE(fs::exists(out_ + "/floor_plan.svg"));
   const CompactMap map = loadMapFile(out_ + "/map.json");

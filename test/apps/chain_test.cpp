@@ -82,8 +82,7 @@ TEST_F(ChainTest, TheMapOfAReplayIsThatOfTheStages)
 {
   const std::string out = folder_.path("replayed");
   const ToolRun run =
-      runSessionChain(session_, out, {"--as-recorded", "--threads", "2"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+      runSessionChain(session_, out, {"--as-recorded", "--threads", "2"}).succeeded();
   EXPECT_THAT(run.out, HasSubstr("after the last shot"));
   for (const char* name : {"map.json",
                            "map.glb",
@@ -106,13 +105,11 @@ TEST_F(ChainTest, TheMapOfAGrabberIsThatOfTheStages)
 {
   const std::string out = folder_.path("grabbed");
   const auto grab = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> all = {
-        "--device", session_, "--map", out, "--min-depth", "1"};
-    all.insert(all.end(), more.begin(), more.end());
-    return runTool(ACMAP_DIGICLOPS_GRABBER, all);
+    return runTool(
+        ACMAP_DIGICLOPS_GRABBER,
+        joined({"--device", session_, "--map", out, "--min-depth", "1"}, more));
   };
-  const ToolRun run = grab({});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = grab({}).succeeded();
   EXPECT_THAT(run.out, HasSubstr("after the last shot"));
   for (const char* name : {"map.json", "map.glb", "mesh.ply", "trajectory.txt"})
     EXPECT_EQ(contentOf(out + "/" + name), contentOf(map_ + "/" + name)) << name;
@@ -180,8 +177,8 @@ TEST_F(ChainTest, TooManyPointsAreThinnedOverAllObservations)
   constexpr std::size_t maximum = 30000;
   ASSERT_GT(all, 2 * maximum);
   const ToolRun run =
-      runChain(posedObservations(), out, {"--max-points", std::to_string(maximum)});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+      runChain(posedObservations(), out, {"--max-points", std::to_string(maximum)})
+          .succeeded();
   std::size_t every = 1;
   while ((all + every - 1) / every > maximum)
     every *= 2;

@@ -1,6 +1,7 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace pcl::acmap {
@@ -91,13 +92,12 @@ TEST_F(CommandLine, ChoicesAreNamedInHelpAndInMessages)
   EXPECT_EQ(app_.get_option("--fruit")->get_default_str(), "apple");
   app_.parse(Words{"pear", "--fruit"});
   EXPECT_EQ(fruit, Fruit::Pear);
-  try {
-    app_.parse(Words{"plum", "--fruit"});
-    FAIL() << "was not refused";
-  }
-  catch (const CLI::ParseError& e) {
-    EXPECT_STREQ(e.what(), "--fruit: plum is not one of pear, apple");
-  }
+  EXPECT_THAT(
+      [&] {
+        app_.parse(Words{"plum", "--fruit"});
+      },
+      testing::ThrowsMessage<CLI::ParseError>(
+          testing::StrEq("--fruit: plum is not one of pear, apple")));
   EXPECT_EQ(fruit, Fruit::Pear);
 }
 

@@ -96,8 +96,7 @@ TEST(CompactMapping, PicturesNeedAnXServer)
   const std::string map = folder.path("map");
   RunSettings seeing;
   seeing.environment = {{"DISPLAY", std::string(std::getenv("DISPLAY"))}};
-  const ToolRun run = runMapping({corridor().session, "-o", map}, seeing);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runMapping({corridor().session, "-o", map}, seeing).succeeded();
   EXPECT_EQ(run.err, "");
   for (const char* name : pictures)
     EXPECT_EQ(contentOf(map + "/pictures/" + name).substr(0, 4), "\x89PNG") << name;
@@ -138,8 +137,7 @@ TEST(CompactMapping, OneColouredCloudDoes)
 {
   const TemporaryFolder folder;
   const std::string map = folder.path("map");
-  const ToolRun run = runMapping({corridor().merged, "-o", map});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runMapping({corridor().merged, "-o", map}).succeeded();
   const auto report = jsonOfFile(map + "/report.json");
   EXPECT_EQ(report.at("texture").at("splatted"), 1);
   EXPECT_GT(report.at("texture").at("seen"), 20000);
@@ -153,8 +151,8 @@ TEST(CompactMapping, WithoutColourAllIsGrey)
 {
   const TemporaryFolder folder;
   const ToolRun run =
-      runMapping({folder.write("room.pcd", roomPcd()), "-o", folder.path("map")});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+      runMapping({folder.write("room.pcd", roomPcd()), "-o", folder.path("map")})
+          .succeeded();
   EXPECT_THAT(run.err, HasSubstr("colour"));
   const CompactMap map = loadCompactMap(folder.path("map"));
   EXPECT_EQ(map.planes.size(), 5u);

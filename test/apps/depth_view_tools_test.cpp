@@ -43,8 +43,7 @@ protected:
   nlohmann::json
   planesOf(const std::string& view, std::vector<std::string> more = {})
   {
-    std::vector<std::string> arguments = {view, json_};
-    arguments.insert(arguments.end(), more.begin(), more.end());
+    std::vector<std::string> arguments = joined({view, json_}, more);
     run_ = runPlanes(arguments);
     EXPECT_EQ(run_.exit_code, 0) << run_.err;
     return run_.exit_code == 0 ? jsonOfFile(json_).at("planes") : nlohmann::json();
@@ -91,8 +90,7 @@ TEST_F(DepthViewTools, theSensorMayBeNamed)
        {std::vector<std::string>{"--sensor", "sonar"},
         {"--sensor", "stereo", "--tolerance", "0.02"},
         {"--sensor", "quantised", "--paper"}}) {
-    std::vector<std::string> arguments = {view, json_};
-    arguments.insert(arguments.end(), more.begin(), more.end());
+    std::vector<std::string> arguments = joined({view, json_}, more);
     const ToolRun refused = runPlanes(arguments);
     EXPECT_EQ(refused.exit_code, 2) << more[1];
     EXPECT_THAT(refused.err, HasSubstr("--sensor"));
@@ -112,8 +110,8 @@ TEST_F(DepthViewTools, aViewWithoutItsRowsIsPutBackIntoItsPicture)
   EXPECT_EQ(planesOf(view, {"--labels", labels}), expected);
   EXPECT_EQ(run_.err, "");
   EXPECT_EQ(labelsOfFile(labels), of_pixels);
-  const ToolRun mesh = runSurface({view, folder_.path("mesh.ply"), "--consolidate"});
-  ASSERT_EQ(mesh.exit_code, 0) << mesh.err;
+  const ToolRun mesh =
+      runSurface({view, folder_.path("mesh.ply"), "--consolidate"}).succeeded();
   EXPECT_THAT(mesh.out, HasSubstr("refined:"));
 }
 
@@ -129,8 +127,7 @@ TEST_F(DepthViewTools, theMeshHasNoSteps)
 {
   const std::string mesh = folder_.path("mesh.ply");
   const std::string view = writeRoom({});
-  const ToolRun run = runSurface({view, mesh, "--consolidate"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runSurface({view, mesh, "--consolidate"}).succeeded();
   EXPECT_THAT(run.out, HasSubstr("refined:"));
   const DepthRoom room({});
   const PointCloudFile vertices = loadPointCloud(mesh);
@@ -145,8 +142,7 @@ TEST_F(DepthViewTools, theMeshHasNoSteps)
   }
   EXPECT_LT(squares, 0.2 * raw);
 
-  const ToolRun as_it_is = runSurface({view, mesh});
-  ASSERT_EQ(as_it_is.exit_code, 0);
+  const ToolRun as_it_is = runSurface({view, mesh}).succeeded();
   EXPECT_THAT(as_it_is.err, HasSubstr("--consolidate takes them out"));
 }
 

@@ -1,5 +1,6 @@
 #include "digiclops_camera_runs.h"
 #include "iidc_addresses.h"
+#include "json_file.h"
 #include "simulated_runs.h"
 
 #include <gmock/gmock.h>
@@ -29,7 +30,7 @@ TEST_F(DigiclopsCameraFaults, UnpluggedItKeepsTheObservationsBefore)
   // one shot for the order of the channels, one observation, and a part of another one
   camera_.faults().failFrame(FrameFault::Unplug, 1 + (patterns + 1) + 2);
   const ToolRun run = grab({"--observations", "2"});
-  expectGrabberFails(run, 1, "observations finished by then, in " + clouds_ + ": 1;");
+  expectFails(run, 1, "observations finished by then, in " + clouds_ + ": 1;");
   EXPECT_THAT(run.err, HasSubstr("frames recorded by then, in " + recorded_ + ": 5\n"));
   EXPECT_THAT(namesIn(clouds_), ElementsAre("observation_0000.pcd"));
   EXPECT_TRUE(contentOf(clouds_ + "/observation_0000.pcd") ==
@@ -51,22 +52,22 @@ TEST_F(DigiclopsCameraFaults, UnpluggedItLeavesTheMapOfTheObservationsBefore)
                                   "0.01",
                                   "--observations",
                                   "2"});
-  expectGrabberFails(run, 1, "the map of the 1 observation by then is in " + map);
-  const auto planes = nlohmann::json::parse(contentOf(map + "/map.json"))["planes"];
+  expectFails(run, 1, "the map of the 1 observation by then is in " + map);
+  const auto planes = jsonOfFile(map + "/map.json")["planes"];
   EXPECT_EQ(planes.size(), 3u);
 }
 
 TEST_F(DigiclopsCameraFaults, UnpluggedAtOnceItLeavesNothing)
 {
   camera_.faults().failFrame(FrameFault::Unplug, 2);
-  expectGrabberFails(grab(), 1, "unplugged");
+  expectFails(grab(), 1, "unplugged");
   EXPECT_EQ(folder_.count(), 0);
 }
 
 TEST_F(DigiclopsCameraFaults, SilenceIsTold)
 {
   camera_.faults().setSilent(true);
-  expectGrabberFails(grab(), 1, "no frame came");
+  expectFails(grab(), 1, "no frame came");
   EXPECT_EQ(folder_.count(), 0);
 }
 
@@ -77,20 +78,18 @@ TEST_F(DigiclopsCameraFaults, CamerasAreListedAndToldApart)
   camera.faults().overrideRegister(iidc::frame_info, 0);
   const EmulatedUsbCamera cable(testbed_, camera);
   const std::string report = folder_.path("report.json");
-  const ToolRun list = runGrabber({"--list", "--report", report});
-  ASSERT_EQ(list.exit_code, 0) << list.err;
+  const ToolRun list = runGrabber({"--list", "--report", report}).succeeded();
   EXPECT_EQ(list.err, "");
   EXPECT_THAT(list.out, HasSubstr("1:" + std::to_string(cable_.address()) + ":"));
   EXPECT_THAT(list.out, HasSubstr("00b09d0100c0ffee, Point Grey Research, Emulated"));
   EXPECT_THAT(list.out, HasSubstr("00b09d0100abcdef, Point Grey Research, Second"));
   EXPECT_THAT(list.out, HasSubstr("480 Mb/s"));
-  EXPECT_EQ(nlohmann::json::parse(contentOf(report))["cameras"].size(), 2u);
+  EXPECT_EQ(jsonOfFile(report)["cameras"].size(), 2u);
 
   const std::string second = "1:" + std::to_string(cable.address());
   for (const std::string& device : {std::string("00b09d0100abcdef"), second}) {
-    const ToolRun run = grab({"--device", device, "--report", report});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_EQ(nlohmann::json::parse(contentOf(report))["camera"]["model"], "Second");
+    grab({"--device", device, "--report", report}).succeeded();
+    EXPECT_EQ(jsonOfFile(report)["camera"]["model"], "Second");
     fs::remove_all(clouds_);
     fs::remove_all(recorded_);
     film_->watch(projector_);
@@ -100,7 +99,7 @@ TEST_F(DigiclopsCameraFaults, CamerasAreListedAndToldApart)
 TEST_F(DigiclopsCameraFaults, WithoutPermissionTheRuleIsTold)
 {
   cable_.setPermission(false);
-  expectGrabberFails(grab(), 1, "udev");
+  expectFails(grab(), 1, "udev");
   EXPECT_EQ(folder_.count(), 0);
   const ToolRun list = runGrabber({"--list"});
   EXPECT_EQ(list.exit_code, 0);
@@ -110,20 +109,20 @@ TEST_F(DigiclopsCameraFaults, WithoutPermissionTheRuleIsTold)
 TEST_F(DigiclopsCameraFaults, WithoutACameraThereIsNothing)
 {
   cable_.unplug();
-  expectGrabberFails(grab(), 4, "camera");
-  expectGrabberFails(grab({"--device", "00b09d0100c0ffee"}), 4, "00b09d0100c0ffee");
-  expectGrabberFails(runGrabber({"--list"}), 4, "camera");
+  expectFails(grab(), 4, "camera");
+  expectFails(grab({"--device", "00b09d0100c0ffee"}), 4, "00b09d0100c0ffee");
+  expectFails(runGrabber({"--list"}), 4, "camera");
   EXPECT_EQ(folder_.count(), 0);
-  expectGrabberFails(grab({"--device", "somewhere"}), 2, "somewhere");
+  expectFails(grab({"--device", "somewhere"}), 2, "somewhere");
 }
 
 TEST_F(DigiclopsCameraFaults, WhatTheCameraCannotDoIsRefused)
 {
-  expectGrabberFails(grab({"--mode", "7:6"}), 2, "7:0 640x480 RGB8");
-  expectGrabberFails(grab({"--mode", "7:3"}), 2, "mode");
-  expectGrabberFails(grab({"--shutter", "50"}), 2, "shutter");
-  expectGrabberFails(grab({"--monitor", "3"}), 2, "monitor");
-  expectGrabberFails(grab({"--display", ":4711"}), 1, ":4711");
+  expectFails(grab({"--mode", "7:6"}), 2, "7:0 640x480 RGB8");
+  expectFails(grab({"--mode", "7:3"}), 2, "mode");
+  expectFails(grab({"--shutter", "50"}), 2, "shutter");
+  expectFails(grab({"--monitor", "3"}), 2, "monitor");
+  expectFails(grab({"--display", ":4711"}), 1, ":4711");
   EXPECT_EQ(folder_.count(), 0);
 }
 
@@ -132,7 +131,7 @@ TEST_F(DigiclopsCameraFaults, InterruptedItKeepsWholeObservations)
   RunSettings settings;
   settings.interrupt_when = [&] { return namesIn(recorded_).size() > 8; };
   const ToolRun run = grab({"--observations", "100"}, settings);
-  expectGrabberFails(run, 130, "interrupted; observations finished by then");
+  expectFails(run, 130, "interrupted; observations finished by then");
   const std::size_t clouds = namesIn(clouds_).size();
   EXPECT_GE(clouds, 1u);
   EXPECT_LT(clouds, 100u);
@@ -144,7 +143,7 @@ TEST_F(DigiclopsCameraFaults, InterruptedItKeepsWholeObservations)
 TEST_F(DigiclopsCameraFaults, AClockMayBeginObservations)
 {
   const auto begin = std::chrono::steady_clock::now();
-  ASSERT_EQ(grab({"--observations", "2", "--every", "4"}).exit_code, 0);
+  grab({"--observations", "2", "--every", "4"}).succeeded();
   EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::seconds(4));
   expectSameFiles(clouds_, trueClouds());
 }

@@ -53,8 +53,7 @@ DigiclopsCameraRuns::SetUpTestSuite()
       new SimulatedScene(loadSimulatedScene(folders_->write("corner.yaml", corner)));
   film_ = new FilmedByCamera(*scene_, lights_);
   film_->record(truth());
-  const ToolRun stereo = runTool(ACMAP_ACTIVE_STEREO, {truth(), "-o", trueClouds()});
-  ASSERT_EQ(stereo.exit_code, 0) << stereo.err;
+  runTool(ACMAP_ACTIVE_STEREO, {truth(), "-o", trueClouds()}).succeeded();
 }
 
 void
@@ -89,18 +88,18 @@ ToolRun
 DigiclopsCameraRuns::grab(const std::vector<std::string>& more,
                           const RunSettings& settings) const
 {
-  std::vector<std::string> all = {"--rig",
-                                  truth() + "/rig.yaml",
-                                  "--pcd",
-                                  clouds_,
-                                  "-o",
-                                  recorded_,
-                                  "--patterns",
-                                  std::to_string(patterns),
-                                  "--shutter",
-                                  "0.01"};
-  all.insert(all.end(), more.begin(), more.end());
-  return runGrabber(all, settings);
+  return runGrabber(joined({"--rig",
+                            truth() + "/rig.yaml",
+                            "--pcd",
+                            clouds_,
+                            "-o",
+                            recorded_,
+                            "--patterns",
+                            std::to_string(patterns),
+                            "--shutter",
+                            "0.01"},
+                           more),
+                    settings);
 }
 
 } // namespace pcl::acmap::test

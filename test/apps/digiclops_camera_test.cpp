@@ -1,4 +1,5 @@
 #include "digiclops_camera_runs.h"
+#include "json_file.h"
 #include "simulated_runs.h"
 
 #include <gmock/gmock.h>
@@ -16,8 +17,7 @@ using DigiclopsCamera = DigiclopsCameraRuns;
 TEST_F(DigiclopsCamera, ObservationsAreTheSimulatorsOwn)
 {
   const std::string report = folder_.path("report.json");
-  const ToolRun run = grab({"--observations", "2", "--report", report});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = grab({"--observations", "2", "--report", report}).succeeded();
   EXPECT_EQ(film_->mixed(), 0);
   EXPECT_THAT(run.err, HasSubstr("channels are reference,horizontal,vertical"));
   expectSameFiles(clouds_, trueClouds());
@@ -32,7 +32,7 @@ TEST_F(DigiclopsCamera, ObservationsAreTheSimulatorsOwn)
     EXPECT_TRUE(frames[i]->images == own[i]->images) << i;
   }
 
-  const auto json = nlohmann::json::parse(contentOf(report));
+  const auto json = jsonOfFile(report);
   EXPECT_EQ(json["camera"]["serial"], "00b09d0100c0ffee");
   EXPECT_EQ(json["camera"]["model"], "Emulated Digiclops");
   EXPECT_EQ(json["camera"]["lost"], 0);
@@ -54,13 +54,12 @@ angleBetween(const nlohmann::json& a, const nlohmann::json& b)
 
 TEST_F(DigiclopsCamera, PlanesOfTheMapAreThoseOfTheScene)
 {
-  ASSERT_EQ(grab().exit_code, 0);
+  grab().succeeded();
   const std::string map = folder_.path("map");
-  const ToolRun mapping =
-      runTool(ACMAP_COMPACT_MAPPING,
-              {clouds_ + "/observation_0000.pcd", "-o", map, "--no-pictures"});
-  ASSERT_EQ(mapping.exit_code, 0) << mapping.err;
-  const auto planes = nlohmann::json::parse(contentOf(map + "/map.json"))["planes"];
+  runTool(ACMAP_COMPACT_MAPPING,
+          {clouds_ + "/observation_0000.pcd", "-o", map, "--no-pictures"})
+      .succeeded();
+  const auto planes = jsonOfFile(map + "/map.json")["planes"];
   EXPECT_EQ(planes.size(), 3u);
   for (const TruthPlane& truth : planesInMap(*scene_)) {
     const Eigen::Vector4d& c = truth.coefficients;
@@ -83,8 +82,7 @@ TEST_F(DigiclopsCamera, PlanesOfTheMapAreThoseOfTheScene)
 TEST_F(DigiclopsCamera, AProjectorThatIsLateMixesPatternsUnlessItMaySettle)
 {
   film_->linger();
-  const ToolRun run = grab({"--settle", "0"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  grab({"--settle", "0"}).succeeded();
   EXPECT_GT(film_->mixed(), 0);
   EXPECT_FALSE(contentOf(clouds_ + "/observation_0000.pcd") ==
                contentOf(trueClouds() + "/observation_0000.pcd"));
@@ -94,10 +92,9 @@ TEST_F(DigiclopsCamera, TimeToSettleIsMeasured)
 {
   projector_.setDelay(std::chrono::milliseconds(130)); // longer than the default
   const std::string report = folder_.path("report.json");
-  const ToolRun run = grab({"--settle", "auto", "--report", report});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = grab({"--settle", "auto", "--report", report}).succeeded();
   EXPECT_THAT(run.err, HasSubstr("the projector settles in "));
-  const auto json = nlohmann::json::parse(contentOf(report));
+  const auto json = jsonOfFile(report);
   EXPECT_GE(json["projector"]["settle"], 0.13);
   EXPECT_TRUE(contentOf(clouds_ + "/observation_0000.pcd") ==
               contentOf(trueClouds() + "/observation_0000.pcd"));
@@ -120,14 +117,13 @@ TEST_F(DigiclopsCamera, AnObservationMayEndEarly)
 {
   film_->hang(); // a pattern that was shown before adds no information
   const std::string report = folder_.path("report.json");
-  const ToolRun run = grab({"--early", "--report", report});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const auto json = nlohmann::json::parse(contentOf(report));
+  grab({"--early", "--report", report}).succeeded();
+  const auto json = jsonOfFile(report);
   const int spared = json["projector"]["spared"];
   EXPECT_EQ(spared, 1); // three patterns are used before the need is judged
   EXPECT_EQ(json["frames"], patterns + 1 - spared);
   const std::string again = folder_.path("again");
-  ASSERT_EQ(runTool(ACMAP_ACTIVE_STEREO, {recorded_, "-o", again}).exit_code, 0);
+  runTool(ACMAP_ACTIVE_STEREO, {recorded_, "-o", again}).succeeded();
   expectSameFiles(again, clouds_);
 }
 
@@ -160,8 +156,7 @@ TEST_F(DigiclopsCamera, WithoutAProjectorFramesAreStreamed)
                                            "15"};
   std::vector<std::string> some = stream;
   some.insert(some.end(), {"--frames", "20"});
-  const ToolRun run = runGrabber(some);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runGrabber(some).succeeded();
   EXPECT_THAT(run.out, HasSubstr("20, rectified"));
   const auto frames = framesOf(recorded_);
   ASSERT_EQ(frames.size(), 20u);

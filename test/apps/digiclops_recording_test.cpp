@@ -1,5 +1,6 @@
 #include "active_stereo_runs.h"
 #include "digiclops_runs.h"
+#include "json_file.h"
 #include "simulated_runs.h"
 
 #include <pcl/acquisition/frame_file.h>
@@ -24,10 +25,9 @@ protected:
   grab(const std::vector<std::string>& more = {},
        const RunSettings& settings = {}) const
   {
-    std::vector<std::string> all = {
-        "--device", input_, "--pcd", clouds_, "-o", recorded_};
-    all.insert(all.end(), more.begin(), more.end());
-    return runGrabber(all, settings);
+    return runGrabber(
+        joined({"--device", input_, "--pcd", clouds_, "-o", recorded_}, more),
+        settings);
   }
 
   /** \brief A copy of the session, which a test may modify. */
@@ -44,12 +44,11 @@ protected:
 
 TEST_F(DigiclopsRecording, CloudsAreThoseOfActiveStereoAndTheSessionIsTheRecording)
 {
-  const ToolRun run = grab();
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = grab().succeeded();
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, HasSubstr("observations: 2\n"));
   EXPECT_THAT(run.out, HasSubstr("14, rectified"));
-  ASSERT_EQ(runSession().exit_code, 0);
+  runSession().succeeded();
   expectSameFiles(clouds_, out_);
   EXPECT_EQ(namesIn(recorded_).size(), 16u); // 14 frames, rig, session
   for (const std::string& name : namesIn(recorded_))
@@ -61,30 +60,29 @@ TEST_F(DigiclopsRecording, MethodAndDepthsAreThoseOfActiveStereo)
 {
   const std::vector<std::string> choices = {
       "--method", "median", "--min-depth", "1.2", "--max-depth", "4"};
-  ASSERT_EQ(grab(choices).exit_code, 0);
-  ASSERT_EQ(runSession(choices).exit_code, 0);
+  grab(choices).succeeded();
+  runSession(choices).succeeded();
   expectSameFiles(clouds_, out_);
 }
 
 TEST_F(DigiclopsRecording, RawFramesAreRecordedRawAndRectifiedForTheClouds)
 {
   input_ = folder_.path("raw");
-  const ToolRun film = runTool(ACMAP_SIMULATED_RIG,
-                               {"-o",
-                                input_,
-                                "--scene",
-                                filmed_->path("room.yaml"),
-                                "--patterns",
-                                "5",
-                                "--observations",
-                                "1",
-                                "--cameras",
-                                ACMAP_SHARE "/rigs/digiclops_built.yaml"});
-  ASSERT_EQ(film.exit_code, 0) << film.err;
-  const ToolRun run = grab({"--min-depth", "1"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runTool(ACMAP_SIMULATED_RIG,
+          {"-o",
+           input_,
+           "--scene",
+           filmed_->path("room.yaml"),
+           "--patterns",
+           "5",
+           "--observations",
+           "1",
+           "--cameras",
+           ACMAP_SHARE "/rigs/digiclops_built.yaml"})
+      .succeeded();
+  const ToolRun run = grab({"--min-depth", "1"}).succeeded();
   EXPECT_THAT(run.out, HasSubstr("6, raw"));
-  ASSERT_EQ(runSession({"--min-depth", "1"}).exit_code, 0);
+  runSession({"--min-depth", "1"}).succeeded();
   expectSameFiles(clouds_, out_);
   for (const char* name : {"rig.yaml", "frame_000005.acf"})
     EXPECT_TRUE(contentOf(recorded_ + "/" + name) == contentOf(input_ + "/" + name));
@@ -92,7 +90,7 @@ TEST_F(DigiclopsRecording, RawFramesAreRecordedRawAndRectifiedForTheClouds)
 
 TEST_F(DigiclopsRecording, ObservationsAreAsManyAsAreWanted)
 {
-  ASSERT_EQ(grab({"--observations", "1"}).exit_code, 0);
+  grab({"--observations", "1"}).succeeded();
   EXPECT_THAT(namesIn(clouds_), ElementsAre("observation_0000.pcd"));
   EXPECT_EQ(framesOf(recorded_).size(), 7u);
 }
@@ -103,14 +101,13 @@ TEST_F(DigiclopsRecording, BrokenFramesAreLeftOutAndTold)
   fs::resize_file(input_ + "/frame_000009.acf", 2000);
   fs::remove(input_ + "/frame_000003.acf");
   const std::string report = folder_.path("report.json");
-  const ToolRun run = grab({"--report", report});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = grab({"--report", report}).succeeded();
   EXPECT_THAT(run.err, HasSubstr("frame 9"));
-  const auto json = nlohmann::json::parse(contentOf(report));
+  const auto json = jsonOfFile(report);
   EXPECT_EQ(json["recording"]["broken_frames"], nlohmann::json({9}));
   EXPECT_EQ(json["frames"], 12);
   EXPECT_EQ(framesOf(recorded_).size(), 12u);
-  ASSERT_EQ(runSession().exit_code, 0);
+  runSession().succeeded();
   expectSameFiles(clouds_, out_);
 }
 
@@ -120,22 +117,20 @@ TEST_F(DigiclopsRecording, AShotThatComesTwiceCountsOnceInBoth)
   TrinocularFrame again = *framesOf(session())[2];
   again.number = 14;
   saveTrinocularFrame(input_ + "/frame_000014.acf", again);
-  const ToolRun run = grab();
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = grab().succeeded();
   EXPECT_THAT(run.err, HasSubstr("frame 14: the shot"));
   EXPECT_EQ(framesOf(recorded_).size(), 14u);
   input_ = recorded_;
-  ASSERT_EQ(runSession().exit_code, 0);
+  runSession().succeeded();
   expectSameFiles(clouds_, out_);
 }
 
 TEST_F(DigiclopsRecording, ReportTellsOfEachObservation)
 {
   const std::string report = folder_.path("report.json");
-  const ToolRun run = grab({"--report", report, "--quiet"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = grab({"--report", report, "--quiet"}).succeeded();
   EXPECT_EQ(run.out + run.err, "");
-  const auto json = nlohmann::json::parse(contentOf(report));
+  const auto json = jsonOfFile(report);
   EXPECT_EQ(json["frames"], 14);
   EXPECT_EQ(json["recorded_frames"], 14);
   EXPECT_EQ(json["recording"]["is_finished"], true);
@@ -153,8 +148,7 @@ TEST_F(DigiclopsRecording, ReportTellsOfEachObservation)
 
 TEST_F(DigiclopsRecording, HelpTellsUnitsAndDefaults)
 {
-  const ToolRun help = runGrabber({"--help"});
-  ASSERT_EQ(help.exit_code, 0);
+  const ToolRun help = runGrabber({"--help"}).succeeded();
   for (const char* word : {"--rate HZ=14",
                            "--patterns N=10",
                            "--settle SECONDS|auto",
@@ -171,7 +165,7 @@ TEST_F(DigiclopsRecording, OptionsThatMakeNoSenseAreRefused)
   const auto refused = [&](const std::vector<std::string>& arguments,
                            const char* word) {
     SCOPED_TRACE(testing::PrintToString(arguments));
-    expectGrabberFails(runGrabber(arguments), 2, word);
+    expectFails(runGrabber(arguments), 2, word);
   };
   refused({}, "--pcd");
   refused({"--rig", rig_}, "nothing to do");
@@ -205,12 +199,12 @@ TEST_F(DigiclopsRecording, PlacesThatAreTakenAreRefused)
 {
   fs::create_directory(clouds_);
   folder_.write("clouds/observation_0007.pcd", "");
-  expectGrabberFails(grab(), 5, "observation_0007.pcd");
+  expectFails(grab(), 5, "observation_0007.pcd");
   EXPECT_FALSE(fs::exists(recorded_));
   fs::remove_all(clouds_);
-  ASSERT_EQ(grab().exit_code, 0);
+  grab().succeeded();
   fs::remove_all(clouds_);
-  expectGrabberFails(grab(), 5, "holds a session");
+  expectFails(grab(), 5, "holds a session");
   EXPECT_FALSE(fs::exists(clouds_));
   EXPECT_EQ(framesOf(recorded_).size(), 14u);
 }
@@ -224,20 +218,20 @@ TEST_F(DigiclopsRecording, ARecordingWithoutFramesGivesNothing)
         spoil(input_ + "/" + name);
   };
   for_frames([](const std::string& path) { fs::resize_file(path, 100); });
-  expectGrabberFails(grab(), 3, "is truncated");
+  expectFails(grab(), 3, "is truncated");
   for_frames([](const std::string& path) { fs::remove(path); });
-  expectGrabberFails(grab(), 3, "no frame that can be read");
+  expectFails(grab(), 3, "no frame that can be read");
   EXPECT_FALSE(fs::exists(clouds_));
   EXPECT_FALSE(fs::exists(recorded_));
   input_ = folder_.path("none");
   fs::create_directory(input_);
-  expectGrabberFails(grab(), 3, "rig.yaml");
+  expectFails(grab(), 3, "rig.yaml");
 }
 
 TEST_F(DigiclopsRecording, WithoutAPointTheSessionStays)
 {
   const ToolRun run = grab({"--min-texture", "128"});
-  expectGrabberFails(run, 4, "no pixel has a place: ");
+  expectFails(run, 4, "no pixel has a place: ");
   EXPECT_THAT(run.err,
               HasSubstr("frames recorded by then, in " + recorded_ + ": 14\n"));
   EXPECT_FALSE(fs::exists(clouds_));
@@ -248,13 +242,13 @@ TEST_F(DigiclopsRecording, DiskIsFullAndWhatIsWholeStays)
 {
   RunSettings full;
   full.file_size_limit = 1000; // enough for rig.yaml, but not for a frame
-  expectGrabberFails(grab({}, full), 5, "frame_000000.acf");
+  expectFails(grab({}, full), 5, "frame_000000.acf");
   EXPECT_FALSE(fs::exists(clouds_));
   EXPECT_FALSE(fs::exists(recorded_));
 
   full.file_size_limit = 300000; // enough for a frame, but not for a cloud
   const ToolRun run = grab({}, full);
-  expectGrabberFails(run, 5, "observation_0000.pcd");
+  expectFails(run, 5, "observation_0000.pcd");
   EXPECT_THAT(run.err, HasSubstr("frames recorded by then, in " + recorded_ + ": 7\n"));
   EXPECT_FALSE(fs::exists(clouds_));
   EXPECT_EQ(framesOf(recorded_).size(), 7u);
@@ -278,7 +272,7 @@ TEST_F(DigiclopsRecording, AnInterruptedRunKeepsWholeObservations)
   RunSettings settings;
   settings.interrupt_when = [&] { return namesIn(recorded_).size() > 4; };
   const ToolRun run = grab({"--min-depth", "0.05", "--threads", "1"}, settings);
-  expectGrabberFails(run, 130, "interrupted; observations finished by then");
+  expectFails(run, 130, "interrupted; observations finished by then");
   const std::size_t clouds = namesIn(clouds_).size();
   const std::size_t frames = framesOf(recorded_).size();
   EXPECT_GE(clouds, 1u);
@@ -294,7 +288,7 @@ TEST_F(DigiclopsRecording, AWindowNeedsADisplay)
 {
   RunSettings none;
   none.environment = {{"DISPLAY", std::nullopt}};
-  expectGrabberFails(grab({"--live"}, none), 1, "DISPLAY is not set");
+  expectFails(grab({"--live"}, none), 1, "DISPLAY is not set");
   EXPECT_EQ(folder_.count(), 0);
 }
 

@@ -14,17 +14,6 @@ runGrabber(const std::vector<std::string>& arguments, const RunSettings& setting
   return runTool(ACMAP_DIGICLOPS_GRABBER, arguments, settings);
 }
 
-void
-expectGrabberFails(const ToolRun& run, int exit_code, const std::string& word)
-{
-  EXPECT_EQ(run.exit_code, exit_code) << "signal " << run.signal << "\n" << run.err;
-  EXPECT_EQ(run.out, "");
-  const std::string lines = run.err.substr(0, run.err.size() - !run.err.empty());
-  const std::size_t begin = lines.rfind('\n') + 1; // 0 for a single line
-  EXPECT_THAT(lines.substr(begin), testing::StartsWith("pcl_digiclops_grabber: "));
-  EXPECT_THAT(lines.substr(begin), testing::HasSubstr(word));
-}
-
 std::vector<std::string>
 namesIn(const std::string& folder)
 {

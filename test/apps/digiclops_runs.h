@@ -11,11 +11,6 @@ namespace pcl::acmap::test {
 ToolRun
 runGrabber(const std::vector<std::string>& arguments, const RunSettings& settings = {});
 
-/** \brief Checks that it failed: the exit code, nothing on stdout, and a last line on
- * stderr that begins with its name and contains a word. */
-void
-expectGrabberFails(const ToolRun& run, int exit_code, const std::string& word);
-
 /** \brief Names of the files of a folder, sorted. */
 std::vector<std::string>
 namesIn(const std::string& folder);

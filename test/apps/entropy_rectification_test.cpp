@@ -1,3 +1,4 @@
+#include "json_file.h"
 #include "rectification_runs.h"
 #include "temporary_folder.h"
 #include "tool_cases.h"
@@ -61,12 +62,6 @@ const std::set<std::string> all_outputs = {"trajectory.txt",
                                            "plan.png",
                                            "energy.png"};
 
-nlohmann::json
-reportOf(const std::string& folder)
-{
-  return nlohmann::json::parse(contentOf(folder + "/report.json"));
-}
-
 std::vector<std::string>
 fieldsOf(const std::string& pcd)
 {
@@ -114,8 +109,8 @@ TEST(RectificationTool, StraightensAFolder)
 {
   const TemporaryFolder folder;
   const std::string output = folder.path("out put");
-  const ToolRun run = runRectification({driftedRoom().session, "-o", output});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run =
+      runRectification({driftedRoom().session, "-o", output}).succeeded();
   EXPECT_THAT(run.out, HasSubstr("rectified:"));
   EXPECT_EQ(namesIn(output), all_outputs);
   const Trajectory rectified = loadTrajectory(output + "/trajectory.txt");
@@ -139,8 +134,8 @@ TEST(RectificationTool, SharesOfRaysAreTold)
 {
   const TemporaryFolder folder;
   const std::string output = folder.path("out");
-  const ToolRun run = runRectification({driftedRoom().session, "-o", output});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run =
+      runRectification({driftedRoom().session, "-o", output}).succeeded();
   const nlohmann::json report = reportOf(output);
   // the reason follows the outcome, and contains no numbers
   const std::string reason = report.at("rectified");
@@ -177,7 +172,7 @@ TEST(RectificationTool, PlansHaveOneScaleAndExtent)
 {
   const TemporaryFolder folder;
   const std::string output = folder.path("out");
-  ASSERT_EQ(runRectification({driftedRoom().session, "-o", output}).exit_code, 0);
+  runRectification({driftedRoom().session, "-o", output}).succeeded();
   const RgbImage before = loadRgbImage(output + "/plan_before.png");
   const RgbImage after = loadRgbImage(output + "/plan_after.png");
   const RgbImage both = loadRgbImage(output + "/plan.png");
@@ -193,9 +188,7 @@ TEST(RectificationTool, ObservationsAreASequenceAgain)
 {
   const TemporaryFolder folder;
   const std::string output = folder.path("out");
-  const ToolRun run =
-      runRectification({driftedRoom().session, "-o", output, "--observations"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runRectification({driftedRoom().session, "-o", output, "--observations"}).succeeded();
   const Trajectory rectified = loadTrajectory(output + "/trajectory.txt");
   for (std::size_t i = 0; i < rectified.poses.size(); ++i) {
     PCLPointCloud2 before, after;
@@ -224,9 +217,9 @@ TEST(RectificationTool, StraightensALog)
 {
   const TemporaryFolder folder;
   const std::string output = folder.path("out");
-  const ToolRun run = runRectification(
-      {"--carmen", folder.write("a log", roomLog(true)), "-o", output});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run =
+      runRectification({"--carmen", folder.write("a log", roomLog(true)), "-o", output})
+          .succeeded();
   std::set<std::string> outputs = all_outputs;
   outputs.insert({"corrected.log", "poses_2d.txt"});
   EXPECT_EQ(namesIn(output), outputs);
@@ -255,9 +248,8 @@ TEST(RectificationTool, TakesEachNthScan)
 {
   const TemporaryFolder folder;
   const std::string log = folder.write("log", roomLog(false));
-  const ToolRun run =
-      runRectification({"--carmen", log, "--every", "7", "-o", folder.path("out")});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runRectification({"--carmen", log, "--every", "7", "-o", folder.path("out")})
+      .succeeded();
   const Trajectory rectified = loadTrajectory(folder.path("out/trajectory.txt"));
   ASSERT_EQ(rectified.stamps.size(), 9U);
   EXPECT_EQ(rectified.stamps[8], 10 + 56);
@@ -267,21 +259,21 @@ TEST(RectificationTool, ModesAndSeedsAreTold)
 {
   const TemporaryFolder folder;
   const std::string log = folder.write("log", roomLog(true));
-  const ToolRun run = runRectification({"--carmen",
-                                        log,
-                                        "--every",
-                                        "6",
-                                        "-o",
-                                        folder.path("out"),
-                                        "-mode",
-                                        "paper",
-                                        "--seed",
-                                        "7",
-                                        "--bin",
-                                        "0.2",
-                                        "--smoothing",
-                                        "0.3"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runRectification({"--carmen",
+                    log,
+                    "--every",
+                    "6",
+                    "-o",
+                    folder.path("out"),
+                    "-mode",
+                    "paper",
+                    "--seed",
+                    "7",
+                    "--bin",
+                    "0.2",
+                    "--smoothing",
+                    "0.3"})
+      .succeeded();
   const nlohmann::json report = reportOf(folder.path("out"));
   EXPECT_EQ(report.at("mode"), "paper");
   EXPECT_EQ(report.at("seed"), 7);
@@ -364,8 +356,7 @@ TEST(RectificationTool, SixDegreesOfFreedomMendHeightsToo)
     std::vector<std::string> arguments = {session, "-o", output, "--up", "-y"};
     if (adjusts)
       arguments.emplace_back("--6dof");
-    const ToolRun run = runRectification(arguments);
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const ToolRun run = runRectification(arguments).succeeded();
     const double height =
         heightError(loadTrajectory(output + "/trajectory.txt"), truth);
     const nlohmann::json report = reportOf(output);
@@ -396,9 +387,8 @@ TEST(RectificationTool, SixDegreesOfFreedomKeepPosesThatFit)
   const std::string session = copyOfRoom(folder.path("session"));
   const Trajectory truth = driftedRoom().truth;
   saveTrajectory(session + "/trajectory.txt", truth);
-  const ToolRun run =
-      runRectification({session, "-o", folder.path("out"), "--up", "-y", "--6dof"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runRectification({session, "-o", folder.path("out"), "--up", "-y", "--6dof"})
+      .succeeded();
   EXPECT_LT(heightError(loadTrajectory(folder.path("out/trajectory.txt")), truth),
             0.01);
 }
@@ -432,7 +422,7 @@ TEST(RectificationTool, TheVerticalMayBeZOrGiven)
               0.1);
   const RgbImage plan = loadRgbImage(folder.path("z/plan_before.png"));
   saveTrajectory(session + "/trajectory.txt", driftedRoom().truth);
-  ASSERT_EQ(runRectification({session, "-o", folder.path("y")}).exit_code, 0);
+  runRectification({session, "-o", folder.path("y")}).succeeded();
   const RgbImage level_plan = loadRgbImage(folder.path("y/plan_before.png"));
   EXPECT_NEAR(plan.height, level_plan.height, 20) << "drawn from above";
   EXPECT_NEAR(plan.width, level_plan.width, 20);

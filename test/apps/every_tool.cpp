@@ -45,14 +45,6 @@ fig10: {from: [8, -8, 10], look: [0, 0, 3]}
 )";
 
 void
-runOrThrow(const std::string& tool, const std::vector<std::string>& arguments)
-{
-  const ToolRun run = runTool(std::string(ACMAP_TOOLS "/") + tool, arguments);
-  if (run.exit_code != 0)
-    throw std::runtime_error(run.err);
-}
-
-void
 writeBoards(const TemporaryFolder& folder)
 {
   const std::vector<TrinocularFrame> shots =
@@ -74,11 +66,12 @@ public:
     const std::string session = folder_.path("session");
     const std::string map = folder_.path("map");
     const std::string posed = folder_.path("posed");
-    runOrThrow(
-        "pcl_simulated_rig",
-        {"-o", session, "--scene", folder_.path("scene.yaml"), "--patterns", "3"});
-    runOrThrow("pcl_compact_mapping",
-               {session, "-o", map, "--min-depth", "1", "--no-pictures"});
+    runTool(ACMAP_TOOLS "/pcl_simulated_rig",
+            {"-o", session, "--scene", folder_.path("scene.yaml"), "--patterns", "3"})
+        .succeeded();
+    runTool(ACMAP_TOOLS "/pcl_compact_mapping",
+            {session, "-o", map, "--min-depth", "1", "--no-pictures"})
+        .succeeded();
     fs::copy(map + "/stages/observations", posed);
     fs::remove(posed + "/stage.json");
     fs::copy(map + "/trajectory.txt", posed);

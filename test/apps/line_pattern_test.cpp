@@ -1,3 +1,4 @@
+#include "json_file.h"
 #include "run_tool.h"
 #include "screen.h"
 #include "temporary_folder.h"
@@ -24,24 +25,12 @@ runPattern(const std::vector<std::string>& arguments, const RunSettings& setting
   return runTool(ACMAP_LINE_PATTERN, arguments, settings);
 }
 
-void
-expectRefused(const ToolRun& run, int exit_code, const std::string& word)
-{
-  EXPECT_EQ(run.exit_code, exit_code) << "signal " << run.signal << "\n" << run.err;
-  EXPECT_EQ(run.out, "");
-  EXPECT_EQ(run.errorLines(), 1u) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("pcl_line_pattern: "));
-  EXPECT_THAT(run.err, HasSubstr(word));
-}
-
 class LinePattern : public testing::Test {
 protected:
   std::vector<std::string>
   arguments(const std::vector<std::string>& more = {}) const
   {
-    std::vector<std::string> all = {output_, "--size", "160x120"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+    return joined({output_, "--size", "160x120"}, more);
   }
 
   TemporaryFolder folder_;
@@ -58,15 +47,15 @@ TEST_F(LinePattern, WritesWhatTheClassGenerates)
                                   "--min-angle",
                                   "15",
                                   "--seed",
-                                  "9"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+                                  "9"})
+                          .succeeded();
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, HasSubstr("3, 1024 x 768 px, 150 lines each"));
   RandomLinePattern pattern;
   pattern.setNumberOfLines(150);
   pattern.setMinimumAngle(15 * 3.14159265358979323846 / 180);
   pattern.setSeed(9);
-  const auto report = nlohmann::json::parse(contentOf(output_ + "/report.json"));
+  const auto report = jsonOfFile(output_ + "/report.json");
   ASSERT_EQ(report["patterns"].size(), 3u);
   double coverage = 0;
   for (std::uint32_t index = 0; index < 3; ++index) {
@@ -87,19 +76,19 @@ TEST_F(LinePattern, WritesWhatTheClassGenerates)
 
 TEST_F(LinePattern, HasTenPatternsByDefaultAndOneInAPicture)
 {
-  ASSERT_EQ(runPattern(arguments()).exit_code, 0);
+  runPattern(arguments()).succeeded();
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(output_), {}), 11);
   const std::string folder = output_;
   output_ = folder_.path("one.PNG");
-  ASSERT_EQ(runPattern(arguments()).exit_code, 0);
+  runPattern(arguments()).succeeded();
   EXPECT_EQ(contentOf(output_), contentOf(folder + "/pattern_00.png"));
   EXPECT_EQ(folder_.count(), 2); // no report next to the picture
   const std::string report = folder_.path("r.json");
-  ASSERT_EQ(runPattern(arguments({"--grey", "--report", report})).exit_code, 0);
+  runPattern(arguments({"--grey", "--report", report})).succeeded();
   const RgbImage grey = loadRgbImage(output_);
   for (std::size_t i = 0; i < grey.values.size(); i += 3)
     ASSERT_EQ(grey.values[i], grey.values[i + 2]);
-  EXPECT_EQ(nlohmann::json::parse(contentOf(report))["patterns"][0]["file"], output_);
+  EXPECT_EQ(jsonOfFile(report)["patterns"][0]["file"], output_);
 }
 
 TEST_F(LinePattern, TellsPatternsThatRepeatThemselves)
@@ -165,7 +154,7 @@ TEST_F(LinePattern, PlacesThatCannotBeAreRefused)
   expectRefused(runPattern({folder_.write("file", "mine")}), 5, "is a file");
   expectRefused(runPattern(arguments({"--report", folder_.path("r.txt")})), 5, ".json");
   EXPECT_EQ(folder_.count(), 1);
-  ASSERT_EQ(runPattern(arguments({"--patterns", "2"})).exit_code, 0);
+  runPattern(arguments({"--patterns", "2"})).succeeded();
   const std::string before = contentOf(output_ + "/pattern_01.png");
   expectRefused(runPattern(arguments({"--seed", "3"})), 5, "already holds pattern_0");
   EXPECT_EQ(contentOf(output_ + "/pattern_01.png"), before);
@@ -228,7 +217,7 @@ TEST_F(ShownLinePattern, ShowsEachPatternInTurn)
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, HasSubstr("160 x 120 px"));
-  const auto report = nlohmann::json::parse(contentOf(output_ + "/report.json"));
+  const auto report = jsonOfFile(output_ + "/report.json");
   EXPECT_EQ(report["monitor"]["width"], 160);
   EXPECT_GE(report["seconds"]["draw"], 3.0);
 }

@@ -27,15 +27,15 @@ protected:
   {
     folder_ = new TemporaryFolder;
     filmSmallSession(path("session"));
-    const ToolRun clouds = runTool(ACMAP_SIMULATED_RIG,
-                                   {"-o",
-                                    path("clouds"),
-                                    "--scene",
-                                    "corridor_drive",
-                                    "--observations",
-                                    "2",
-                                    "--clouds"});
-    ASSERT_EQ(clouds.exit_code, 0) << clouds.err;
+    runTool(ACMAP_SIMULATED_RIG,
+            {"-o",
+             path("clouds"),
+             "--scene",
+             "corridor_drive",
+             "--observations",
+             "2",
+             "--clouds"})
+        .succeeded();
     RgbImage photograph{1000, 800, {}};
     photograph.values.assign(std::size_t{3} * 1000 * 800, 90);
     for (int number = 0; number < 6; ++number)
@@ -134,9 +134,8 @@ TEST_F(MemoryLimit, EndsEachToolWithNothingLeftBehind)
 
 TEST_F(MemoryLimit, RoomyChangesNothing)
 {
-  ASSERT_EQ(runSurface({cloud(), path("without.ply")}).exit_code, 0);
-  const ToolRun roomy = run(ACMAP_DEWALL_SURFACE, {cloud(), path("with.ply")}, "6GB");
-  ASSERT_EQ(roomy.exit_code, 0) << roomy.err;
+  runSurface({cloud(), path("without.ply")}).succeeded();
+  run(ACMAP_DEWALL_SURFACE, {cloud(), path("with.ply")}, "6GB").succeeded();
   EXPECT_TRUE(contentOf(path("with.ply")) == contentOf(path("without.ply")));
   fs::remove(path("with.ply"));
   fs::remove(path("without.ply"));
@@ -173,11 +172,9 @@ protected:
   static void
   expectKeepsTheLimit(const std::string& cloud)
   {
-    ASSERT_EQ(runSurface({cloud, path("without.ply")}).exit_code, 0);
+    runSurface({cloud, path("without.ply")}).succeeded();
     const auto before = folder_->count();
-    const ToolRun limited =
-        run(ACMAP_DEWALL_SURFACE, {cloud, path("with.ply")}, "50MB");
-    ASSERT_EQ(limited.exit_code, 0) << limited.err;
+    run(ACMAP_DEWALL_SURFACE, {cloud, path("with.ply")}, "50MB").succeeded();
     EXPECT_EQ(folder_->count(), before + 1) << "no file but the mesh is left";
     EXPECT_TRUE(contentOf(path("with.ply")) == contentOf(path("without.ply")));
     for (const std::string& file : {cloud, path("with.ply"), path("without.ply")})

@@ -58,8 +58,8 @@ protected:
 
 TEST_F(Mesh, OtherLibrariesReadIt)
 {
-  ASSERT_EQ(runSurface({input_, output("a.ply")}).exit_code, 0);
-  ASSERT_EQ(runSurface({input_, output("a.vtk")}).exit_code, 0);
+  runSurface({input_, output("a.ply")}).succeeded();
+  runSurface({input_, output("a.vtk")}).succeeded();
   const auto ply = readBack<vtkPLYReader>(output("a.ply"));
   const auto vtk = readBack<vtkPolyDataReader>(output("a.vtk"));
   for (const auto& mesh : {ply, vtk}) {
@@ -101,8 +101,8 @@ TEST_F(Mesh, MemoryLimitRefuses)
 
 TEST_F(Mesh, ScaleMakesMetres)
 {
-  ASSERT_EQ(runSurface({input_, output("a.ply")}).exit_code, 0);
-  ASSERT_EQ(runSurface({input_, output("b.ply"), "--scale", "0.001"}).exit_code, 0);
+  runSurface({input_, output("a.ply")}).succeeded();
+  runSurface({input_, output("b.ply"), "--scale", "0.001"}).succeeded();
   const double width = widthOf(readBack<vtkPLYReader>(output("a.ply")));
   const double small = widthOf(readBack<vtkPLYReader>(output("b.ply")));
   EXPECT_NEAR(small, width / 1000, width * 1e-9);
@@ -110,9 +110,9 @@ TEST_F(Mesh, ScaleMakesMetres)
 
 TEST_F(Mesh, MaximumEdgeIsKeptInBothSpellings)
 {
-  ASSERT_EQ(runSurface({input_, output("a.ply"), "--max-edge", "0.012"}).exit_code, 0);
-  ASSERT_EQ(runSurface({input_, output("b.ply"), "-max_edge", "0.012"}).exit_code, 0);
-  ASSERT_EQ(runSurface({input_, output("c.ply")}).exit_code, 0);
+  runSurface({input_, output("a.ply"), "--max-edge", "0.012"}).succeeded();
+  runSurface({input_, output("b.ply"), "-max_edge", "0.012"}).succeeded();
+  runSurface({input_, output("c.ply")}).succeeded();
   EXPECT_EQ(contentOf(output("a.ply")), contentOf(output("b.ply")));
   EXPECT_LT(readBack<vtkPLYReader>(output("a.ply"))->GetNumberOfPolys(),
             readBack<vtkPLYReader>(output("c.ply"))->GetNumberOfPolys());
@@ -131,7 +131,7 @@ TEST_F(Mesh, RulesAndWallDepth)
 TEST_F(Mesh, KeepsColoursAndTakesEveryFormat)
 {
   const std::string ply = folder_.write("color.ply", coloredPly());
-  ASSERT_EQ(runSurface({ply, output("a.ply")}).exit_code, 0);
+  runSurface({ply, output("a.ply")}).succeeded();
   const auto mesh = readBack<vtkPLYReader>(output("a.ply"));
   ASSERT_NE(mesh->GetPointData()->GetScalars(), nullptr);
   EXPECT_EQ(mesh->GetPointData()->GetScalars()->GetTuple3(3)[0], 9);

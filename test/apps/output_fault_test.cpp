@@ -65,7 +65,7 @@ TEST_F(OutputFault, FolderIsReadOnly)
 TEST_F(OutputFault, OutputIsTheInput)
 {
   const std::string mesh = folder_.path("mesh.ply");
-  ASSERT_EQ(runSurface({input_, mesh}).exit_code, 0);
+  runSurface({input_, mesh}).succeeded();
   const std::string before = contentOf(mesh);
   expectRefused(runSurface({mesh, mesh}), 2, mesh);
   EXPECT_EQ(contentOf(mesh), before);

@@ -5,6 +5,7 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/output_file.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -49,19 +50,17 @@ TEST_F(OutputGroupTest, FilesAppearTogether)
 TEST_F(OutputGroupTest, AFailureLeavesTheOldOnes)
 {
   folder_.write("a.json", "old");
-  try {
-    OutputGroup outputs;
-    outputs.write(a_, saving("new"));
-    outputs.write(b_, [](const std::string& place) {
-      saving("half")(place);
-      throw OutputFileException(place + ": disk full");
-    });
-    FAIL();
-  }
-  catch (const OutputFileException& e) {
-    EXPECT_NE(std::string(e.what()).find(b_ + ": disk full"), std::string::npos)
-        << e.what();
-  }
+  EXPECT_THAT(
+      [&] {
+        OutputGroup outputs;
+        outputs.write(a_, saving("new"));
+        outputs.write(b_, [](const std::string& place) {
+          saving("half")(place);
+          throw OutputFileException(place + ": disk full");
+        });
+      },
+      testing::ThrowsMessage<OutputFileException>(
+          testing::HasSubstr(b_ + ": disk full")));
   EXPECT_EQ(test::contentOf(a_), "old");
   EXPECT_EQ(folder_.count(), 1);
 }

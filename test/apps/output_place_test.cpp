@@ -10,7 +10,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::StartsWith;
 
 /** \brief Runs every tool with each of its outputs in a bad folder, and the others in a
  * good one. */
@@ -53,13 +52,9 @@ protected:
   }
 
   void
-  expectRefused(const ToolRow& row, const ToolRun& run, const std::string& bad) const
+  expectRefused(const ToolRun& run, const std::string& bad) const
   {
-    EXPECT_EQ(run.exit_code, 5) << "signal " << run.signal << "\n" << run.err;
-    EXPECT_EQ(run.out, "");
-    EXPECT_EQ(run.errorLines(), 1U) << run.err;
-    EXPECT_THAT(run.err, StartsWith(row.tool + ": "));
-    EXPECT_THAT(run.err, HasSubstr(folder_.path("bad/" + bad)));
+    test::expectRefused(run, 5, folder_.path("bad/" + bad));
   }
 
   /** \brief Empties the good folder. */
@@ -82,7 +77,7 @@ TEST_F(OutputPlace, ThatIsReadOnlyIsRefusedBeforeAnyWork)
       const SmallDisk disk(folder_.path("bad"), 1 << 16);
       writeOld(output);
       disk.makeReadOnly();
-      expectRefused(row, run(row, output), output);
+      expectRefused(run(row, output), output);
       expectOld(output);
       EXPECT_TRUE(fs::is_empty(folder_.path("good")));
       clear();
@@ -98,7 +93,7 @@ TEST_F(OutputPlace, ThatIsFullKeepsWhatWasThere)
       const SmallDisk disk(folder_.path("bad"), 1 << 16);
       writeOld(output);
       disk.fill(0);
-      expectRefused(row, run(row, output), output);
+      expectRefused(run(row, output), output);
       expectOld(output);
       clear();
     }
@@ -121,7 +116,7 @@ TEST_F(OutputPlace, ThatIsFullBeforeLongLeavesAllOrNothing)
       if (full.exit_code == 0)
         EXPECT_THAT(hiddenBelow(folder_.path("")), IsEmpty());
       else
-        expectRefused(row, full, output);
+        expectRefused(full, output);
       if (full.exit_code != 0 && row.keeps.empty())
         expectOld(output);
       clear();

@@ -46,9 +46,8 @@ protected:
     folder_ = new TemporaryFolder;
     display_ = new VirtualDisplay;
     filmSmallSession(session());
-    const ToolRun mapped =
-        runTool(ACMAP_COMPACT_MAPPING, {session(), "-o", map(), "--no-pictures"});
-    ASSERT_EQ(mapped.exit_code, 0) << mapped.err;
+    runTool(ACMAP_COMPACT_MAPPING, {session(), "-o", map(), "--no-pictures"})
+        .succeeded();
     folder_->write("small.yaml", small_figures);
   }
 
@@ -100,11 +99,7 @@ protected:
                 int exit_code,
                 const std::string& word)
   {
-    const ToolRun run = runTool(ACMAP_PAPER_FIGURES, all);
-    EXPECT_EQ(run.exit_code, exit_code) << run.err;
-    EXPECT_EQ(run.errorLines(), 1U) << run.err;
-    EXPECT_THAT(run.err, HasSubstr(word));
-    EXPECT_EQ(run.out, "");
+    test::expectRefused(runTool(ACMAP_PAPER_FIGURES, all), exit_code, word);
   }
 
   static TemporaryFolder* folder_;
@@ -125,8 +120,7 @@ TEST_F(PaperFigures, AllAreDrawnAlikeWithAnyNumberOfThreadsAndAnotherSceneIsTold
     const bool is_other = threads == "2";
     auto all = arguments(session(), map(), folder.path(threads), figures[is_other]);
     all.insert(all.end(), {"--threads", threads});
-    const ToolRun run = runTool(ACMAP_PAPER_FIGURES, all);
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const ToolRun run = runTool(ACMAP_PAPER_FIGURES, all).succeeded();
     if (is_other)
       EXPECT_THAT(run.err, HasSubstr("made for scene loop"));
     else

@@ -41,8 +41,7 @@ protected:
   {
     ChainTest::SetUp();
     paper_ = folder_.path("paper");
-    const ToolRun run = runSessionChain(session_, paper_, with(thin, {"--paper"}));
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    runSessionChain(session_, paper_, with(thin, {"--paper"})).succeeded();
   }
 
   std::string paper_;
@@ -64,10 +63,9 @@ TEST_F(PaperWay, MakesTheMapOfTheClass)
     EXPECT_EQ(contentOf(folder.path(name)), contentOf(paper_ + "/" + name)) << name;
 
   const std::string median = folder_.path("median");
-  const ToolRun run =
-      runTool(ACMAP_ACTIVE_STEREO,
-              {session_, "-o", median, "--method", "median", "--min-depth", "1"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runTool(ACMAP_ACTIVE_STEREO,
+          {session_, "-o", median, "--method", "median", "--min-depth", "1"})
+      .succeeded();
   for (const char* name :
        {"observation_0000.pcd", "observation_0001.pcd", "observation_0002.pcd"})
     EXPECT_EQ(contentOf(median + "/" + name),
@@ -102,7 +100,7 @@ TEST_F(PaperWay, TellsWhatRan)
 
 TEST_F(PaperWay, IsMadeAnewInTheFolderOfAnotherMap)
 {
-  ASSERT_EQ(runAgain(with(thin, {"--paper"})).exit_code, 0);
+  runAgain(with(thin, {"--paper"})).succeeded();
   EXPECT_THAT(madeStages(map_),
               ElementsAre("observations", "egomotion", "rectification", "map"));
   EXPECT_EQ(contentOf(map_ + "/map.json"), contentOf(paper_ + "/map.json"));

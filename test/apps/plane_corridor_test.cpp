@@ -21,15 +21,15 @@ protected:
   SetUpTestSuite()
   {
     folder_ = std::make_unique<TemporaryFolder>();
-    const ToolRun rig = runTool(ACMAP_SIMULATED_RIG,
-                                {"-o",
-                                 path("session"),
-                                 "--clouds",
-                                 "--observations",
-                                 "4",
-                                 "--merged",
-                                 path("map.pcd")});
-    ASSERT_EQ(rig.exit_code, 0) << rig.err;
+    runTool(ACMAP_SIMULATED_RIG,
+            {"-o",
+             path("session"),
+             "--clouds",
+             "--observations",
+             "4",
+             "--merged",
+             path("map.pcd")})
+        .succeeded();
     // the views are known from the trajectory next to the cloud
     std::filesystem::rename(path("map.pcd"), path("session/map.pcd"));
     run_ = runPlanes(
@@ -112,10 +112,10 @@ TEST_F(PlaneCorridor, LabelsAreTheTruthsAndThePointsStay)
 TEST_F(PlaneCorridor, TheMeshAloneDoesToo)
 {
   const std::string mesh = path("mesh.ply");
-  ASSERT_EQ(runSurface({path("session/map.pcd"), mesh, "--consolidate"}).exit_code, 0);
-  const ToolRun run = runPlanes(
-      {mesh, path("m.json"), "--labels", path("m.pcd"), "--report", path("r.json")});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runSurface({path("session/map.pcd"), mesh, "--consolidate"}).succeeded();
+  runPlanes(
+      {mesh, path("m.json"), "--labels", path("m.pcd"), "--report", path("r.json")})
+      .succeeded();
   EXPECT_EQ(labelsOfFile(path("m.pcd")).size(), loadPointCloud(mesh).points().size());
   EXPECT_FALSE(jsonOfFile(path("r.json")).contains("consolidation"));
   const auto planes = jsonOfFile(path("m.json")).at("planes");
@@ -144,8 +144,8 @@ TEST_F(PlaneCorridor, ThePapersThresholdsFindPiecesOfWallsAndSwallowTheDoors)
                                  "--labels",
                                  path("paper.pcd"),
                                  "--report",
-                                 path("paper_report.json")});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+                                 path("paper_report.json")})
+                          .succeeded();
   EXPECT_NE(run.out.find("consolidated: no, the paper takes raw points"),
             std::string::npos)
       << run.out;

@@ -16,9 +16,8 @@ protected:
   nlohmann::json
   planesOf(const std::string& input, std::vector<std::string> more = {})
   {
-    std::vector<std::string> arguments = {
-        input, json_, "--labels", labels_, "--report", report_};
-    arguments.insert(arguments.end(), more.begin(), more.end());
+    std::vector<std::string> arguments =
+        joined({input, json_, "--labels", labels_, "--report", report_}, more);
     run_ = runPlanes(arguments);
     EXPECT_EQ(run_.exit_code, 0) << run_.err;
     return run_.exit_code == 0 ? jsonOfFile(json_).at("planes") : nlohmann::json();

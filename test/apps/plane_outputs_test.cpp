@@ -18,9 +18,7 @@ protected:
   ToolRun
   run(const std::vector<std::string>& more = {}, const RunSettings& settings = {})
   {
-    std::vector<std::string> arguments = {input_, json_};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return runPlanes(arguments, settings);
+    return runPlanes(joined({input_, json_}, more), settings);
   }
 
   nlohmann::json
@@ -54,7 +52,7 @@ areaOf(const nlohmann::json& loop, const Eigen::Vector3d& normal)
 
 TEST_F(PlaneOutputs, PolygonsLieOnTheirPlanesAndHaveTheirArea)
 {
-  ASSERT_EQ(run().exit_code, 0);
+  run().succeeded();
   ASSERT_EQ(planes().size(), 5u);
   for (const auto& plane : planes()) {
     const Eigen::Vector3d normal = coefficientsOf(plane).head<3>();
@@ -77,7 +75,7 @@ TEST_F(PlaneOutputs, PolygonsLieOnTheirPlanesAndHaveTheirArea)
 
 TEST_F(PlaneOutputs, TheCovarianceHasItsFrame)
 {
-  ASSERT_EQ(run().exit_code, 0);
+  run().succeeded();
   std::size_t id = 0;
   for (const auto& plane : planes()) {
     EXPECT_EQ(plane.at("id"), id++);
@@ -96,7 +94,7 @@ TEST_F(PlaneOutputs, TheCovarianceHasItsFrame)
 
 TEST_F(PlaneOutputs, NormalsStandInTheMesh)
 {
-  ASSERT_EQ(run({"--normals", normals_}).exit_code, 0);
+  run({"--normals", normals_}).succeeded();
   const PointCloudFile mesh = loadPointCloud(normals_);
   EXPECT_GT(loadTriangleMesh(normals_).triangles.size(), 1000u);
   const auto labels = labelsOfFile(normals_);
@@ -147,8 +145,8 @@ stairsObj(int steps)
 
 TEST_F(PlaneOutputs, OfManyPlanesTheLargestAreListed)
 {
-  const ToolRun many = runPlanes({folder_.write("many.obj", stairsObj(24)), json_});
-  ASSERT_EQ(many.exit_code, 0) << many.err;
+  const ToolRun many =
+      runPlanes({folder_.write("many.obj", stairsObj(24)), json_}).succeeded();
   ASSERT_EQ(planes().size(), 24U);
   std::size_t listed = 0;
   for (std::size_t id = 0; id < 24; ++id) {
@@ -168,8 +166,7 @@ TEST_F(PlaneOutputs, OfManyPlanesTheLargestAreListed)
 TEST_F(PlaneOutputs, SummaryAndReportTellWhatWasDone)
 {
   const std::string path = folder_.path("r.json");
-  const ToolRun loud = run({"--labels", labels_, "--report", path});
-  ASSERT_EQ(loud.exit_code, 0);
+  const ToolRun loud = run({"--labels", labels_, "--report", path}).succeeded();
   for (const char* word : {"consolidated:",
                            "planes:      5\n",
                            "on planes:",

@@ -32,14 +32,13 @@ TEST(PlanePicture, ShowsThePlanesAsTheViewerDoes)
   const std::string input = folder.write("room.pcd", roomPcd());
   const std::string picture = folder.path("p.png");
   const std::string mesh = folder.path("mesh.ply");
-  const ToolRun run = runPlanes(
-      {input, folder.path("p.json"), "--picture", picture, "--normals", mesh});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runPlanes({input, folder.path("p.json"), "--picture", picture, "--normals", mesh})
+      .succeeded();
   const std::string png = contentOf(picture);
   EXPECT_EQ(png.substr(0, 4), "\x89PNG");
   const auto shoot = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = {mesh, "--screenshot", folder.path("v.png")};
-    arguments.insert(arguments.end(), more.begin(), more.end());
+    std::vector<std::string> arguments =
+        joined({mesh, "--screenshot", folder.path("v.png")}, more);
     EXPECT_EQ(runViewer(arguments).exit_code, 0);
     return contentOf(folder.path("v.png"));
   };

@@ -51,12 +51,6 @@ matchOf(const nlohmann::json& planes,
   return best;
 }
 
-nlohmann::json
-jsonOfFile(const std::string& path)
-{
-  return nlohmann::json::parse(contentOf(path));
-}
-
 std::vector<std::uint32_t>
 labelsOfFile(const std::string& path)
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "json_file.h"
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
@@ -28,9 +29,6 @@ matchOf(const nlohmann::json& planes,
         const Eigen::Vector4d& truth,
         double degrees,
         double metres);
-
-nlohmann::json
-jsonOfFile(const std::string& path);
 
 /** \brief The field `label` of a cloud file. */
 std::vector<std::uint32_t>

@@ -34,13 +34,13 @@ protected:
            const std::vector<std::string>& options = {},
            const std::string& other = {}) const
   {
-    std::vector<std::string> tool = {ACMAP_COMPACT_MAPPING,
-                                     input_,
-                                     "-o",
-                                     output,
-                                     "--no-pictures",
-                                     "--no-rectification"};
-    tool.insert(tool.end(), options.begin(), options.end());
+    std::vector<std::string> tool = joined({ACMAP_COMPACT_MAPPING,
+                                            input_,
+                                            "-o",
+                                            output,
+                                            "--no-pictures",
+                                            "--no-rectification"},
+                                           options);
     std::vector<std::string> arguments = {"--oversubscribe"};
     const auto add = [&](int processes, const std::vector<std::string>& command) {
       arguments.insert(arguments.end(), {"-n", std::to_string(processes)});
@@ -49,8 +49,7 @@ protected:
     add(other.empty() ? ranks : ranks - 1, tool);
     if (!other.empty()) {
       arguments.emplace_back(":");
-      std::vector<std::string> command = {"/bin/sh", "-c", other, "sh"};
-      command.insert(command.end(), tool.begin(), tool.end());
+      std::vector<std::string> command = joined({"/bin/sh", "-c", other, "sh"}, tool);
       add(1, command);
     }
     RunSettings settings;

@@ -1,3 +1,4 @@
+#include "json_file.h"
 #include "rectification_runs.h"
 #include "temporary_folder.h"
 #include "tool_cases.h"
@@ -54,8 +55,8 @@ TEST_F(RectificationFaults, OdometryNoiseThatIsNone)
                                                 {"0.01", "degrees"},
                                                 {"0.01"},
                                                 {}}) {
-    std::vector<std::string> arguments = {folder_.path("none"), "--odometry-noise"};
-    arguments.insert(arguments.end(), noise.begin(), noise.end());
+    std::vector<std::string> arguments =
+        joined({folder_.path("none"), "--odometry-noise"}, noise);
     refuse(arguments, 2, "--odometry-noise");
   }
 }
@@ -149,9 +150,8 @@ TEST_F(RectificationFaults, AnInterruptionLeavesNothing)
 void
 expectPosesAsTheyCame(const std::string& session, const std::string& output)
 {
-  const ToolRun run = runRectification({session, "-o", output});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const auto report = nlohmann::json::parse(contentOf(output + "/report.json"));
+  const ToolRun run = runRectification({session, "-o", output}).succeeded();
+  const auto report = jsonOfFile(output + "/report.json");
   const auto outcome = report.at("outcome").get<std::string>();
   EXPECT_NE(outcome, "rectified");
   const auto reason = report.at(outcome).get<std::string>();

@@ -1,3 +1,4 @@
+#include "json_file.h"
 #include "temporary_folder.h"
 #include "tool_cases.h"
 
@@ -13,8 +14,8 @@ TEST(ReportFile, HoldsWhatTheRunDid)
   const std::string input = folder.write("in.pcd", planePcd());
   const std::string output = folder.path("out.ply");
   const std::string path = folder.path("r.json");
-  ASSERT_EQ(runSurface({input, output, "--report", path, "--quiet"}).exit_code, 0);
-  const auto json = nlohmann::json::parse(contentOf(path));
+  runSurface({input, output, "--report", path, "--quiet"}).succeeded();
+  const auto json = jsonOfFile(path);
   EXPECT_EQ(json["tool"], "pcl_dewall_surface");
   EXPECT_EQ(json["version"], ACMAP_VERSION);
   EXPECT_EQ(json["command_line"].size(), 6u);
@@ -38,7 +39,7 @@ TEST(ReportFile, TellsTheWarnings)
   ASSERT_EQ(runSurface({input, folder.path("a.ply"), "-scale", "1000", "-report", path})
                 .exit_code,
             0);
-  const auto json = nlohmann::json::parse(contentOf(path));
+  const auto json = jsonOfFile(path);
   ASSERT_EQ(json["remarks"].size(), 1u);
   EXPECT_NE(json["remarks"][0].get<std::string>().find("millimetres"),
             std::string::npos);

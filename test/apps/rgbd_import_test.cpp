@@ -1,3 +1,4 @@
+#include "json_file.h"
 #include "rgbd_folders.h"
 #include "run_tool.h"
 #include "temporary_folder.h"
@@ -26,9 +27,8 @@ protected:
   ToolRun
   run(const std::vector<std::string>& more = {}, const RunSettings& settings = {}) const
   {
-    std::vector<std::string> all = {input_.path(""), "-o", output()};
-    all.insert(all.end(), more.begin(), more.end());
-    return runTool(ACMAP_RGBD_IMPORT, all, settings);
+    return runTool(
+        ACMAP_RGBD_IMPORT, joined({input_.path(""), "-o", output()}, more), settings);
   }
 
   std::string
@@ -46,11 +46,7 @@ protected:
   void
   expectRefused(const ToolRun& run, int exit_code, const std::string& word) const
   {
-    EXPECT_EQ(run.exit_code, exit_code) << "signal " << run.signal << "\n" << run.err;
-    EXPECT_EQ(run.out, "");
-    EXPECT_EQ(run.errorLines(), 1u) << run.err;
-    EXPECT_THAT(run.err, HasSubstr("pcl_rgbd_import: "));
-    EXPECT_THAT(run.err, HasSubstr(word));
+    test::expectRefused(run, exit_code, word);
     EXPECT_EQ(results_.count(), 0);
   }
 
@@ -121,8 +117,7 @@ expectPose(const Eigen::Isometry3d& pose,
 TEST_F(RgbdImport, SevenScenesComeOutExactly)
 {
   writeSevenScenes(input_, 3);
-  const ToolRun done = run({"--registered"});
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const ToolRun done = run({"--registered"}).succeeded();
   EXPECT_EQ(done.err, "");
   EXPECT_THAT(done.out, HasSubstr("colour camera: none\n"));
   EXPECT_THAT(done.out, HasSubstr("observations: 3\n"));
@@ -149,8 +144,8 @@ TEST_F(RgbdImport, SevenScenesComeOutExactly)
 TEST_F(RgbdImport, TumComesOutExactly)
 {
   writeTum(input_, 3);
-  const ToolRun done = run({"--fx", "10", "--fy", "20", "--cx", "3.5", "--cy", "2.5"});
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const ToolRun done =
+      run({"--fx", "10", "--fy", "20", "--cx", "3.5", "--cy", "2.5"}).succeeded();
   EXPECT_EQ(done.err, "");
   const Trajectory trajectory = loadTrajectory(outputFile("trajectory.txt"));
   ASSERT_EQ(trajectory.poses.size(), 3u);
@@ -168,8 +163,7 @@ TEST_F(RgbdImport, TumComesOutExactly)
 TEST_F(RgbdImport, TumHasADefaultCameraThatIsTold)
 {
   writeTum(input_, 1);
-  const ToolRun done = run();
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const ToolRun done = run().succeeded();
   EXPECT_THAT(done.err, HasSubstr("warning: the folder does not tell its camera"));
   EXPECT_THAT(done.err, HasSubstr("319.5"));
   EXPECT_THAT(done.err, HasSubstr("far from the middle of images of 8 x 6"));
@@ -189,13 +183,13 @@ TEST_F(RgbdImport, CameraComesFromAFileOfEitherKind)
   saveTrinocularRig(input_.path("rig.yaml"), rig);
   const std::string matrix = input_.write("k.txt", "# camera\n12 0 3\n0 12 2\n0 0 1\n");
   for (const std::string& file : {input_.path("rig.yaml"), matrix}) {
-    const ToolRun done = run({"--intrinsics", file, "--depth-scale", "2000"});
-    ASSERT_EQ(done.exit_code, 0) << done.err;
+    const ToolRun done =
+        run({"--intrinsics", file, "--depth-scale", "2000"}).succeeded();
     EXPECT_EQ(done.err, "");
     expectObservation(outputFile("observation_0000.pcd"), 0, {12, 12, 3, 2, 2000});
     std::filesystem::remove_all(output());
   }
-  ASSERT_EQ(run({"--intrinsics", matrix, "--fx", "20", "--cy", "4"}).exit_code, 0);
+  run({"--intrinsics", matrix, "--fx", "20", "--cy", "4"}).succeeded();
   expectObservation(outputFile("observation_0000.pcd"), 0, {20, 20, 3, 4, 5000});
   std::filesystem::remove_all(output());
   for (const char* bad : {"12 0 3\n0 12 2\n",
@@ -222,8 +216,8 @@ TEST_F(RgbdImport, FramesWithoutPoseOrPartnerAreCounted)
   std::string colors = contentOf(input_.path("rgb.txt"));
   input_.write("rgb.txt",
                colors.replace(colors.find("1305031102.304"), 14, "1305031102.35"));
-  const ToolRun done = run({"--intrinsics", input_.write("k", "9 0 4\n0 9 3\n0 0 1")});
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const ToolRun done =
+      run({"--intrinsics", input_.write("k", "9 0 4\n0 9 3\n0 0 1")}).succeeded();
   EXPECT_THAT(done.err, HasSubstr("1 depth images left out"));
   EXPECT_THAT(done.err, HasSubstr("1 frames left out: no pose"));
   const Trajectory trajectory = loadTrajectory(outputFile("trajectory.txt"));
@@ -246,8 +240,7 @@ TEST_F(RgbdImport, WithoutPosesNoneIsAskedForOrWritten)
   writeSevenScenes(input_, 2);
   std::filesystem::remove(input_.path("frame-000000.pose.txt"));
   input_.write("frame-000010.pose.txt", "lost");
-  const ToolRun done = run({"--no-poses"});
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  run({"--no-poses"}).succeeded();
   EXPECT_FALSE(std::filesystem::exists(outputFile("trajectory.txt")));
   const PointCloudFile file = loadPointCloud(outputFile("observation_0001.pcd"));
   EXPECT_EQ(file.sensor_origin, Eigen::Vector3f::Zero());
@@ -257,8 +250,7 @@ TEST_F(RgbdImport, WithoutPosesNoneIsAskedForOrWritten)
 TEST_F(RgbdImport, EveryAndMaximumDepthThin)
 {
   writeSevenScenes(input_, 5);
-  const ToolRun done = run({"--every", "2", "-max_depth", "1.2"});
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const ToolRun done = run({"--every", "2", "-max_depth", "1.2"}).succeeded();
   EXPECT_EQ(loadTrajectory(outputFile("trajectory.txt")).stamps,
             (std::vector<double>{0, 20, 40}));
   EXPECT_THAT(done.out, HasSubstr("points:      19\n")); // 1.02 to 1.2 m
@@ -270,8 +262,8 @@ TEST_F(RgbdImport, ReportHasTheCounts)
 {
   writeSevenScenes(input_, 2);
   const std::string path = input_.path("report.json");
-  ASSERT_EQ(run({"--report", path}).exit_code, 0);
-  const auto report = nlohmann::json::parse(contentOf(path));
+  run({"--report", path}).succeeded();
+  const auto report = jsonOfFile(path);
   EXPECT_EQ(report["tool"], "pcl_rgbd_import");
   EXPECT_EQ(report["layout"], "7-Scenes");
   EXPECT_EQ(report["observations"], 2);
@@ -319,7 +311,7 @@ TEST_F(RgbdImport, OutputsAppearTogetherOrNotAtAll)
   RunSettings full;
   full.file_size_limit = 500;
   expectRefused(run({}, full), 5, "observation_0000.pcd");
-  ASSERT_EQ(run().exit_code, 0);
+  run().succeeded();
   const std::string before = contentOf(outputFile("observation_0000.pcd"));
   const ToolRun again = run({"--max-depth", "1.1"});
   EXPECT_EQ(again.exit_code, 5);

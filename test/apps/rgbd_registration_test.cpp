@@ -1,3 +1,4 @@
+#include "json_file.h"
 #include "rgbd_folders.h"
 #include "run_tool.h"
 #include "temporary_folder.h"
@@ -74,9 +75,7 @@ protected:
   ToolRun
   run(const std::vector<std::string>& more = {}) const
   {
-    std::vector<std::string> all = {input_.path(""), "-o", output_};
-    all.insert(all.end(), more.begin(), more.end());
-    return runTool(ACMAP_RGBD_IMPORT, all);
+    return runTool(ACMAP_RGBD_IMPORT, joined({input_.path(""), "-o", output_}, more));
   }
 
   ToolRun
@@ -88,9 +87,7 @@ protected:
   void
   expectRefused(const ToolRun& run, int exit_code, const std::string& word) const
   {
-    EXPECT_EQ(run.exit_code, exit_code) << "signal " << run.signal << "\n" << run.err;
-    EXPECT_EQ(run.errorLines(), 1u) << run.err;
-    EXPECT_THAT(run.err, HasSubstr(word));
+    test::expectRefused(run, exit_code, word);
     EXPECT_EQ(results_.count(), 0);
   }
 
@@ -180,8 +177,7 @@ measuredIn(const std::vector<std::uint16_t>& depths)
 TEST_F(RgbdRegistration, PixelsHoldTheNearestPointTheyShow)
 {
   writeTwoCameras(2);
-  const ToolRun done = runWith(colorCameraText());
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const ToolRun done = runWith(colorCameraText()).succeeded();
   EXPECT_EQ(done.err, "");
   EXPECT_THAT(done.out, HasSubstr("color.yaml\n"));
   int hidden = 0, holes = 0;
@@ -221,7 +217,7 @@ TEST_F(RgbdRegistration, PixelsHoldTheNearestPointTheyShow)
 TEST_F(RgbdRegistration, PosesAreTheColourCameras)
 {
   writeTwoCameras(3);
-  ASSERT_EQ(runWith(colorCameraText()).exit_code, 0);
+  runWith(colorCameraText()).succeeded();
   const Trajectory trajectory = loadTrajectory(output_ + "/trajectory.txt");
   ASSERT_EQ(trajectory.poses.size(), 3u);
   const Eigen::Isometry3d first = posedAt(0) * depthFromColor();
@@ -238,14 +234,13 @@ TEST_F(RgbdRegistration, PosesAreTheColourCameras)
 TEST_F(RgbdRegistration, SameCameraChangesNothing)
 {
   writeSevenScenes(input_, 2);
-  ASSERT_EQ(run({"--registered"}).exit_code, 0);
+  run({"--registered"}).succeeded();
   const std::string before = contentOf(output_ + "/observation_0001.pcd");
   const std::string poses = contentOf(output_ + "/trajectory.txt");
   std::filesystem::remove_all(output_);
-  const ToolRun done =
-      runWith("focal_length_x: 10\nfocal_length_y: 20\ncenter_x: 3.5\ncenter_y: 2.5\n"
-              "position: [0, 0, 0]\nrotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n");
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  runWith("focal_length_x: 10\nfocal_length_y: 20\ncenter_x: 3.5\ncenter_y: 2.5\n"
+          "position: [0, 0, 0]\nrotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n")
+      .succeeded();
   EXPECT_EQ(contentOf(output_ + "/observation_0001.pcd"), before);
   EXPECT_EQ(contentOf(output_ + "/trajectory.txt"), poses);
 }
@@ -254,24 +249,22 @@ TEST_F(RgbdRegistration, KinectOfSevenScenesIsRegisteredUnlessToldOtherwise)
 {
   writeKinect(420, 140, 2000);
   const std::string report = settings_.path("report.json");
-  const ToolRun done = run({"--report", report});
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const ToolRun done = run({"--report", report}).succeeded();
   EXPECT_EQ(done.err, "");
   EXPECT_THAT(done.out, HasSubstr("colour camera: 7-Scenes\n"));
-  EXPECT_EQ(nlohmann::json::parse(contentOf(report))["color_camera"], "7-Scenes");
+  EXPECT_EQ(jsonOfFile(report)["color_camera"], "7-Scenes");
   // computed by hand: (0.341880, -0.341880, 2) m moves to (0.299586, -0.359004,
   // 2.001804) m
   EXPECT_EQ(onlyPixel(observation(0)), (std::pair<int, int>{399, 146}));
   std::filesystem::remove_all(output_);
-  ASSERT_EQ(run({"--registered"}).exit_code, 0);
+  run({"--registered"}).succeeded();
   EXPECT_EQ(onlyPixel(observation(0)), (std::pair<int, int>{420, 140}));
 }
 
 TEST_F(RgbdRegistration, OtherDevicesInTheLayoutAreWarnedAbout)
 {
   writeSevenScenes(input_, 1);
-  const ToolRun done = run();
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const ToolRun done = run().succeeded();
   EXPECT_EQ(done.errorLines(), 1u) << done.err;
   EXPECT_THAT(done.err, HasSubstr("--color-camera"));
   EXPECT_THAT(done.err, HasSubstr("--registered"));
@@ -333,9 +326,8 @@ TEST_F(RgbdRegistration, OtherLayoutsTakeAColourCameraToo)
   writeTum(input_, 2);
   const std::string depth = input_.write("k.txt", "10 0 3.5\n0 20 2.5\n0 0 1\n");
   const std::string color = settings_.write("color.yaml", colorCameraText());
-  const ToolRun done =
-      run({"--intrinsics", depth, "--depth-scale", "1000", "--color-camera", color});
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  run({"--intrinsics", depth, "--depth-scale", "1000", "--color-camera", color})
+      .succeeded();
   const Cloud cloud = observation(1);
   std::size_t found = 0;
   for (const Measured& one : measuredIn(tellingDepths(1)))

@@ -1,3 +1,4 @@
+#include "json_file.h"
 #include "rgbd_folders.h"
 #include "run_tool.h"
 #include "temporary_folder.h"
@@ -23,18 +24,13 @@ protected:
   ToolRun
   run(const std::vector<std::string>& more = {}) const
   {
-    std::vector<std::string> all = {input_.path(""), "-o", output_};
-    all.insert(all.end(), more.begin(), more.end());
-    return runTool(ACMAP_RGBD_IMPORT, all);
+    return runTool(ACMAP_RGBD_IMPORT, joined({input_.path(""), "-o", output_}, more));
   }
 
   void
   expectRefused(const ToolRun& run, int exit_code, const std::string& word) const
   {
-    EXPECT_EQ(run.exit_code, exit_code) << "signal " << run.signal << "\n" << run.err;
-    EXPECT_EQ(run.out, "");
-    EXPECT_EQ(run.errorLines(), 1u) << run.err;
-    EXPECT_THAT(run.err, HasSubstr(word));
+    test::expectRefused(run, exit_code, word);
     EXPECT_EQ(results_.count(), 0);
   }
 
@@ -47,8 +43,7 @@ protected:
     const ToolRun refused = run();
     expectRefused(refused, 3, file);
     EXPECT_THAT(refused.err, HasSubstr(word));
-    const ToolRun skipped = run({"--skip-broken"});
-    ASSERT_EQ(skipped.exit_code, 0) << skipped.err;
+    const ToolRun skipped = run({"--skip-broken"}).succeeded();
     EXPECT_THAT(skipped.err, HasSubstr("warning: left out: "));
     EXPECT_THAT(skipped.err, HasSubstr(file));
     EXPECT_THAT(skipped.out, HasSubstr("observations: 2\n"));
@@ -126,7 +121,7 @@ TEST_F(UglyRgbd, MapBeginsWithTheFirstWholeFrame)
 {
   writeSevenScenes(input_, 3);
   input_.write("frame-000000.pose.txt", "lost");
-  ASSERT_EQ(run({"--skip-broken"}).exit_code, 0);
+  run({"--skip-broken"}).succeeded();
   const Trajectory trajectory = loadTrajectory(output_ + "/trajectory.txt");
   EXPECT_EQ(trajectory.stamps, (std::vector<double>{10, 20}));
   EXPECT_TRUE(trajectory.poses[0].matrix().isIdentity(0));
@@ -139,11 +134,11 @@ TEST_F(UglyRgbd, ManyBrokenFramesAreNamedInTheReport)
   for (int frame = 1; frame < 9; ++frame)
     input_.write("frame-0000" + std::to_string(frame) + "0.depth.png", "x");
   const std::string report = input_.path("report.json");
-  const ToolRun done = run({"--registered", "--skip-broken", "--report", report});
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const ToolRun done =
+      run({"--registered", "--skip-broken", "--report", report}).succeeded();
   EXPECT_EQ(done.errorLines(), 6u) << done.err;
   EXPECT_THAT(done.err, HasSubstr("3 further frames left out"));
-  EXPECT_EQ(nlohmann::json::parse(contentOf(report))["broken"].size(), 8u);
+  EXPECT_EQ(jsonOfFile(report)["broken"].size(), 8u);
 }
 
 TEST_F(UglyRgbd, NothingLeftIsNothingFound)

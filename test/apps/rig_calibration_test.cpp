@@ -1,3 +1,4 @@
+#include "json_file.h"
 #include "rendered_boards.h"
 #include "run_tool.h"
 #include "temporary_folder.h"
@@ -82,11 +83,7 @@ protected:
   void
   expectRefused(const ToolRun& run, int exit_code, const std::string& word) const
   {
-    EXPECT_EQ(run.exit_code, exit_code) << run.err;
-    EXPECT_EQ(run.out, "");
-    EXPECT_EQ(run.errorLines(), 1u) << run.err;
-    EXPECT_THAT(run.err, HasSubstr("pcl_rig_calibration: "));
-    EXPECT_THAT(run.err, HasSubstr(word));
+    test::expectRefused(run, exit_code, word);
     EXPECT_EQ(results_.count(), 0);
   }
 
@@ -119,12 +116,11 @@ TEST_F(RigCalibrationTool, ASessionCountsAsItsImages)
     }
     recorder.finish();
   }
-  ASSERT_EQ(run().exit_code, 0);
+  run().succeeded();
   const std::string of_images = contentOf(rig());
   const std::vector<std::string> arguments = {
       "--session", session, "--square", "0.03", "-o", rig()};
-  const ToolRun done = runTool(ACMAP_RIG_CALIBRATION, arguments);
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  runTool(ACMAP_RIG_CALIBRATION, arguments).succeeded();
   EXPECT_EQ(contentOf(rig()), of_images);
   std::filesystem::remove(rig());
   expectRefused(run({"--session", session}), 2, "either");
@@ -134,8 +130,7 @@ TEST_F(RigCalibrationTool, BoardsBecomeARig)
 {
   images_[1][2] = folder_->path("empty_room.png");
   const std::string report = results_.path("report.json");
-  const ToolRun done = run({"--board", "9x6", "--report", report});
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const ToolRun done = run({"--board", "9x6", "--report", report}).succeeded();
   EXPECT_THAT(done.err,
               HasSubstr("empty_room.png: no whole board of 9 x 6 corners found"));
   EXPECT_THAT(done.err, HasSubstr("camera has only 7 good boards"));
@@ -151,7 +146,7 @@ TEST_F(RigCalibrationTool, BoardsBecomeARig)
   EXPECT_NEAR(rectified.baseline_horizontal, -0.1, 0.002);
   EXPECT_NEAR(rectified.baseline_vertical, -0.1, 0.002);
 
-  const auto json = nlohmann::json::parse(contentOf(report));
+  const auto json = jsonOfFile(report);
   EXPECT_LT(json["row_residual"], 0.15);
   EXPECT_LT(json["column_residual"], 0.15);
   EXPECT_EQ(json["cameras"]["vertical"]["boards"], 7);

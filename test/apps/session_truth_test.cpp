@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "truth_room.h"
 
 #include <gmock/gmock.h>
@@ -16,13 +17,7 @@ using testing::HasSubstr;
 std::string
 faultOf(const RoomSession& session)
 {
-  try {
-    session.load();
-  }
-  catch (const InputFileException& exception) {
-    return exception.what();
-  }
-  return "";
+  return messageOf<InputFileException>([&] { session.load(); });
 }
 
 std::string

@@ -1,3 +1,4 @@
+#include "json_file.h"
 #include "run_tool.h"
 #include "simulated_runs.h"
 #include "temporary_folder.h"
@@ -169,10 +170,11 @@ protected:
        const std::string& session,
        const std::vector<std::string>& more) const
   {
-    std::vector<std::string> all = {
-        "-o", folder_.path(session), "--scene", folder_.write("room.yaml", scene)};
-    all.insert(all.end(), more.begin(), more.end());
-    return runTool(ACMAP_SIMULATED_RIG, all);
+    return runTool(
+        ACMAP_SIMULATED_RIG,
+        joined(
+            {"-o", folder_.path(session), "--scene", folder_.write("room.yaml", scene)},
+            more));
   }
 
   /** \brief Links the room, filmed with the unrectified cameras without noise; once for
@@ -185,8 +187,7 @@ protected:
     if (!std::filesystem::exists(session)) {
       std::vector<std::string> all = noiseless;
       all.insert(all.end(), {"--cameras", built_rig});
-      const ToolRun run = film(painted_room, "filmed", all);
-      ASSERT_EQ(run.exit_code, 0) << run.err;
+      const ToolRun run = film(painted_room, "filmed", all).succeeded();
       ASSERT_EQ(run.err, "");
       std::filesystem::rename(folder_.path("filmed"), session);
     }
@@ -208,10 +209,7 @@ protected:
   void
   expectRefused(const ToolRun& run, int exit_code, const std::string& word) const
   {
-    EXPECT_EQ(run.exit_code, exit_code) << run.err;
-    EXPECT_EQ(run.errorLines(), 1u) << run.err;
-    EXPECT_THAT(run.err, HasSubstr("pcl_simulated_rig: "));
-    EXPECT_THAT(run.err, HasSubstr(word));
+    test::expectRefused(run, exit_code, word);
     EXPECT_FALSE(std::filesystem::exists(folder_.path("session")));
   }
 
@@ -249,7 +247,7 @@ TEST_F(SimulatedCameras, RectifiedFramesAreThoseOfTheRectifiedRig)
   for (std::string line; std::getline(lines, line);)
     if (line.find(": ") != std::string::npos)
       rig += "  " + line + "\n";
-  ASSERT_EQ(film(rig + painted_room, "ideal", noiseless).exit_code, 0);
+  film(rig + painted_room, "ideal", noiseless).succeeded();
 
   for (const char* name : {"disparity_0000.pfm",
                            "disparity_0001.pfm",
@@ -259,8 +257,7 @@ TEST_F(SimulatedCameras, RectifiedFramesAreThoseOfTheRectifiedRig)
               contentOf(folder_.path(std::string("ideal/") + name)))
         << name;
   const auto told = [&](const char* session) {
-    return nlohmann::json::parse(
-        contentOf(folder_.path(std::string(session) + "/truth.json")));
+    return jsonOfFile(folder_.path(std::string(session) + "/truth.json"));
   };
   EXPECT_EQ(told("raw")["planes"], told("ideal")["planes"]);
   EXPECT_EQ(told("raw")["frames"], "raw");

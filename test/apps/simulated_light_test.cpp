@@ -1,3 +1,4 @@
+#include "json_file.h"
 #include "run_tool.h"
 #include "simulated_runs.h"
 #include "temporary_folder.h"
@@ -34,10 +35,9 @@ protected:
   ToolRun
   film(const std::vector<std::string>& more) const
   {
-    std::vector<std::string> all = {
-        "-o", session_, "--scene", folder_.write("wall.yaml", wall)};
-    all.insert(all.end(), more.begin(), more.end());
-    return runTool(ACMAP_SIMULATED_RIG, all);
+    return runTool(
+        ACMAP_SIMULATED_RIG,
+        joined({"-o", session_, "--scene", folder_.write("wall.yaml", wall)}, more));
   }
 
   /** \brief Films without noise and blur, unless the options set them. */
@@ -121,14 +121,14 @@ TEST_F(SimulatedLightOptions, TruthTellsWhatWasUsed)
          "0.125",
          "--blur",
          "0.375"});
-  auto truth = nlohmann::json::parse(contentOf(session_ + "/truth.json"));
+  auto truth = jsonOfFile(session_ + "/truth.json");
   EXPECT_EQ(truth["light"],
             nlohmann::json(
                 R"({"ambient": 0.25, "projector_power": 0.75, "exposure": 1.5,
               "blur": 0.375, "vignetting": false})"_json));
   EXPECT_EQ(truth["noise"], R"({"read": 2, "shot": 0.125})"_json);
   shots({"--vignetting"});
-  truth = nlohmann::json::parse(contentOf(session_ + "/truth.json"));
+  truth = jsonOfFile(session_ + "/truth.json");
   EXPECT_EQ(truth["light"]["vignetting"], true);
 }
 

@@ -1,3 +1,4 @@
+#include "json_file.h"
 #include "run_tool.h"
 #include "temporary_folder.h"
 
@@ -25,16 +26,6 @@ runRig(const std::vector<std::string>& arguments, const RunSettings& settings = 
   return runTool(ACMAP_SIMULATED_RIG, arguments, settings);
 }
 
-void
-expectRefused(const ToolRun& run, int exit_code, const std::string& word)
-{
-  EXPECT_EQ(run.exit_code, exit_code) << "signal " << run.signal << "\n" << run.err;
-  EXPECT_EQ(run.out, "");
-  EXPECT_EQ(run.errorLines(), 1u) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("pcl_simulated_rig: "));
-  EXPECT_THAT(run.err, HasSubstr(word));
-}
-
 /** A room that is simulated quickly. */
 constexpr const char* room = R"(name: room
 rig: {width: 64, height: 48, focal_length: 52, center_x: 31.5, center_y: 23.5,
@@ -54,9 +45,7 @@ protected:
   std::vector<std::string>
   arguments(const std::vector<std::string>& more = {}) const
   {
-    std::vector<std::string> all = {"-o", session_, "--scene", scene_, "--clouds"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+    return joined({"-o", session_, "--scene", scene_, "--clouds"}, more);
   }
 
   std::string
@@ -83,8 +72,7 @@ valueOf(const PCLPointCloud2& cloud, std::size_t point, const char* name)
 
 TEST_F(SimulatedRig, WritesASessionThatOthersRead)
 {
-  const ToolRun run = runRig(arguments());
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runRig(arguments()).succeeded();
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, HasSubstr("points:      6000"));
   const Trajectory trajectory = loadTrajectory(inSession("trajectory.txt"));
@@ -115,8 +103,7 @@ TEST_F(SimulatedRig, WritesASessionThatOthersRead)
 
 TEST_F(SimulatedRig, CloudsHaveAllPointsIfTheseAreAskedFor)
 {
-  const ToolRun run = runRig(arguments({"--all-points"}));
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runRig(arguments({"--all-points"})).succeeded();
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, HasSubstr("points:      12288")) << "each pixel of 64 x 48";
   PointCloud<PointXYZ> cloud;
@@ -127,8 +114,8 @@ TEST_F(SimulatedRig, CloudsHaveAllPointsIfTheseAreAskedFor)
 
 TEST_F(SimulatedRig, TruthIsOfTheMapFrame)
 {
-  ASSERT_EQ(runRig(arguments({"--quiet", "--seed", "7"})).exit_code, 0);
-  const auto truth = nlohmann::json::parse(contentOf(inSession("truth.json")));
+  runRig(arguments({"--quiet", "--seed", "7"})).succeeded();
+  const auto truth = jsonOfFile(inSession("truth.json"));
   EXPECT_EQ(truth["scene"], "room");
   EXPECT_EQ(truth["version"], ACMAP_VERSION);
   EXPECT_EQ(truth["seed"], 7);
@@ -154,7 +141,7 @@ TEST_F(SimulatedRig, TruthIsOfTheMapFrame)
 TEST_F(SimulatedRig, MergedCloudHasTheFinitePointsOfAll)
 {
   const std::string map = folder_.path("map.pcd");
-  ASSERT_EQ(runRig(arguments({"--merged", map})).exit_code, 0);
+  runRig(arguments({"--merged", map})).succeeded();
   PCLPointCloud2 cloud;
   ASSERT_EQ(io::loadPCDFile(map, cloud), 0);
   ASSERT_EQ(cloud.width * cloud.height, 6000u);
@@ -199,10 +186,10 @@ TEST_F(SimulatedRig, AnotherSeedIsAnotherSession)
 
 TEST_F(SimulatedRig, FewerObservationsAreTheFirstOnes)
 {
-  ASSERT_EQ(runRig(arguments()).exit_code, 0);
+  runRig(arguments()).succeeded();
   const std::string all = session_;
   session_ = folder_.path("two");
-  ASSERT_EQ(runRig(arguments({"--observations", "2"})).exit_code, 0);
+  runRig(arguments({"--observations", "2"})).succeeded();
   EXPECT_EQ(contentOf(inSession("observation_0001.pcd")),
             contentOf(all + "/observation_0001.pcd"));
   EXPECT_FALSE(std::filesystem::exists(inSession("observation_0002.pcd")));
@@ -211,12 +198,12 @@ TEST_F(SimulatedRig, FewerObservationsAreTheFirstOnes)
 
 TEST_F(SimulatedRig, KinectMakesCloudsOfRoundedDisparities)
 {
-  const ToolRun run = runRig(arguments({"--sensor", "kinect", "--observations", "2"}));
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run =
+      runRig(arguments({"--sensor", "kinect", "--observations", "2"})).succeeded();
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(loadTrinocularRig(inSession("rig.yaml")).focal_length, 575.0);
   EXPECT_EQ(loadTrajectory(inSession("trajectory.txt")).poses.size(), 2u);
-  const auto truth = nlohmann::json::parse(contentOf(inSession("truth.json")));
+  const auto truth = jsonOfFile(inSession("truth.json"));
   EXPECT_EQ(truth["sensor"], "kinect");
   EXPECT_EQ(truth["noise"]["step"], 0.125);
   const PointCloudFile file = loadPointCloud(inSession("observation_0001.pcd"));
@@ -242,11 +229,11 @@ TEST_F(SimulatedRig, KinectMakesCloudsOfRoundedDisparities)
 
 TEST_F(SimulatedRig, StereoIsTheDefaultSensor)
 {
-  ASSERT_EQ(runRig(arguments()).exit_code, 0);
+  runRig(arguments()).succeeded();
   const std::string by_default =
       contentOf(inSession("observation_0001.pcd")) + contentOf(inSession("truth.json"));
   session_ = folder_.path("named");
-  ASSERT_EQ(runRig(arguments({"--sensor", "stereo"})).exit_code, 0);
+  runRig(arguments({"--sensor", "stereo"})).succeeded();
   EXPECT_EQ(contentOf(inSession("observation_0001.pcd")) +
                 contentOf(inSession("truth.json")),
             by_default);
@@ -259,8 +246,8 @@ TEST_F(SimulatedRig, HelpAndReport)
   for (const char* word : {"metres", "corridor", "--seed", "Exit codes"})
     EXPECT_THAT(help.out, HasSubstr(word));
   const std::string path = folder_.path("r.json");
-  ASSERT_EQ(runRig(arguments({"--report", path})).exit_code, 0);
-  const auto report = nlohmann::json::parse(contentOf(path));
+  runRig(arguments({"--report", path})).succeeded();
+  const auto report = jsonOfFile(path);
   EXPECT_EQ(report["tool"], "pcl_simulated_rig");
   EXPECT_EQ(report["points"], 6000);
   for (const char* step : {"read", "observe", "write"})
@@ -332,7 +319,7 @@ TEST_F(SimulatedRig, OtherObservationsStay)
 {
   std::filesystem::create_directory(session_);
   folder_.write("session/notes.txt", "mine");
-  ASSERT_EQ(runRig(arguments()).exit_code, 0);
+  runRig(arguments()).succeeded();
   EXPECT_EQ(contentOf(inSession("notes.txt")), "mine");
   const std::string before = contentOf(inSession("observation_0000.pcd"));
   expectRefused(runRig(arguments({"--seed", "3"})), 5, "observation_0000.pcd");

@@ -1,3 +1,4 @@
+#include "json_file.h"
 #include "run_tool.h"
 #include "simulated_runs.h"
 #include "temporary_folder.h"
@@ -36,9 +37,9 @@ protected:
   ToolRun
   film(const std::vector<std::string>& more = {}, const RunSettings& settings = {})
   {
-    std::vector<std::string> all = {"-o", session_, "--scene", scene_};
-    all.insert(all.end(), more.begin(), more.end());
-    return runTool(ACMAP_SIMULATED_RIG, all, settings);
+    return runTool(ACMAP_SIMULATED_RIG,
+                   joined({"-o", session_, "--scene", scene_}, more),
+                   settings);
   }
 
   std::string
@@ -54,8 +55,7 @@ protected:
 
 TEST_F(SimulatedSession, HoldsAllShots)
 {
-  const ToolRun run = film({"--patterns", "2"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = film({"--patterns", "2"}).succeeded();
   EXPECT_THAT(run.out, HasSubstr("frames:      6"));
   const auto frames = framesOf(session_);
   ASSERT_EQ(frames.size(), 6u);
@@ -73,7 +73,7 @@ TEST_F(SimulatedSession, HoldsAllShots)
 
 TEST_F(SimulatedSession, HoldsTheTruth)
 {
-  ASSERT_EQ(film({"--patterns", "1", "--seed", "4"}).exit_code, 0);
+  film({"--patterns", "1", "--seed", "4"}).succeeded();
   const Trajectory trajectory = loadTrajectory(inSession("trajectory.txt"));
   ASSERT_EQ(trajectory.poses.size(), 2u);
   // of the first shot of the observation
@@ -88,7 +88,7 @@ TEST_F(SimulatedSession, HoldsTheTruth)
   // both neighbours and the projector see it
   EXPECT_EQ(visible.values[24 * 64 + 42], 7);
   EXPECT_EQ(visible.values[24 * 64 + 63] & 1, 0); // beyond the border of the left one
-  const auto truth = nlohmann::json::parse(contentOf(inSession("truth.json")));
+  const auto truth = jsonOfFile(inSession("truth.json"));
   EXPECT_EQ(truth["scene"], "room");
   EXPECT_EQ(truth["seed"], 4);
   EXPECT_EQ(truth["patterns"], 1);
@@ -99,7 +99,7 @@ TEST_F(SimulatedSession, HoldsTheTruth)
 /** The number of measurable points in the session's files is that of its planes. */
 TEST_F(SimulatedSession, CountsWhatCanBeMeasuredOfEachPlane)
 {
-  ASSERT_EQ(film({"--patterns", "1"}).exit_code, 0);
+  film({"--patterns", "1"}).succeeded();
   std::size_t wall = 0, box = 0;
   for (const std::string number : {"0000", "0001"}) {
     const DisparityImage disparities =
@@ -113,7 +113,7 @@ TEST_F(SimulatedSession, CountsWhatCanBeMeasuredOfEachPlane)
       box += is_measurable && disparities.values[i] > wall_disparity;
     }
   }
-  const auto truth = nlohmann::json::parse(contentOf(inSession("truth.json")));
+  const auto truth = jsonOfFile(inSession("truth.json"));
   ASSERT_EQ(truth["planes"][0]["name"], "wall");
   EXPECT_EQ(truth["planes"][0]["points"], wall);
   EXPECT_GT(box, 0u);
@@ -135,8 +135,8 @@ TEST_F(SimulatedSession, CountsNothingBeyondTheRangeOfStereo)
         std::pair{"to: [-0.5, 0, 1], views: 2", "to: [-0.5, 0, 0], views: 2"}})
     text.replace(text.find(before), std::string(before).size(), after);
   scene_ = folder_.write("room.yaml", text);
-  ASSERT_EQ(film({"--patterns", "1"}).exit_code, 0);
-  const auto truth = nlohmann::json::parse(contentOf(inSession("truth.json")));
+  film({"--patterns", "1"}).succeeded();
+  const auto truth = jsonOfFile(inSession("truth.json"));
   const DisparityImage second = loadPfm(inSession("disparity_0001.pfm"));
   std::size_t box = 0;
   for (const auto& plane : truth["planes"])
@@ -153,8 +153,7 @@ TEST_F(SimulatedSession, CountsNothingBeyondTheRangeOfStereo)
 TEST_F(SimulatedSession, AnotherSeedIsAnotherSession)
 {
   const auto bytes = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> all = {"--patterns", "1"};
-    all.insert(all.end(), more.begin(), more.end());
+    std::vector<std::string> all = joined({"--patterns", "1"}, more);
     EXPECT_EQ(film(all).exit_code, 0);
     std::string content;
     for (const TrinocularFrame::ConstPtr& frame : framesOf(session_))
@@ -170,7 +169,7 @@ TEST_F(SimulatedSession, AnotherSeedIsAnotherSession)
 
 TEST_F(SimulatedSession, OtherSessionsStay)
 {
-  ASSERT_EQ(film({"--patterns", "1"}).exit_code, 0);
+  film({"--patterns", "1"}).succeeded();
   const std::string before = contentOf(inSession("session.yaml"));
   const ToolRun again = film();
   EXPECT_EQ(again.exit_code, 5);

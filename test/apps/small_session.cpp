@@ -9,16 +9,16 @@ namespace pcl::acmap::test {
 void
 filmSmallSession(const std::string& session)
 {
-  const ToolRun rig = runTool(ACMAP_SIMULATED_RIG,
-                              {"-o",
-                               session,
-                               "--scene",
-                               "corridor_drive",
-                               "--observations",
-                               "3",
-                               "--patterns",
-                               "3"});
-  ASSERT_EQ(rig.exit_code, 0) << rig.err;
+  runTool(ACMAP_SIMULATED_RIG,
+          {"-o",
+           session,
+           "--scene",
+           "corridor_drive",
+           "--observations",
+           "3",
+           "--patterns",
+           "3"})
+      .succeeded();
 }
 
 } // namespace pcl::acmap::test

@@ -22,9 +22,7 @@ paint(const std::string& observations,
       const std::string& output,
       const std::vector<std::string>& more = {})
 {
-  std::vector<std::string> arguments = {corridor().planes, observations, "-o", output};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return runTexturing(arguments);
+  return runTexturing(joined({corridor().planes, observations, "-o", output}, more));
 }
 
 std::size_t
@@ -41,8 +39,8 @@ TEST(PlaneTexturingTool, PaintsPlanesAsTheChainDoes)
 {
   const TemporaryFolder folder;
   const ToolRun run =
-      paint(corridor().session, folder.path("t"), {"--report", folder.path("r.json")});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+      paint(corridor().session, folder.path("t"), {"--report", folder.path("r.json")})
+          .succeeded();
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, HasSubstr("painted:"));
   const CompactMap map = loadCompactMap(folder.path("t"));
@@ -80,8 +78,7 @@ TEST(PlaneTexturingTool, OptionsDoWhatTheySay)
 TEST(PlaneTexturingTool, OneCloudInTheFrameOfThePlanesDoes)
 {
   const TemporaryFolder folder;
-  const ToolRun run = paint(corridor().merged, folder.path("t"));
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = paint(corridor().merged, folder.path("t")).succeeded();
   EXPECT_EQ(run.err, "");
   const CompactMap map = loadCompactMap(folder.path("t"));
   EXPECT_GT(countOf(map, TexelKind::Seen), 50000u);

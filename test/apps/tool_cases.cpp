@@ -26,16 +26,6 @@ runPlanes(const std::vector<std::string>& arguments, const RunSettings& settings
   return runTool(ACMAP_PLANE_EXTRACTION, arguments, settings);
 }
 
-void
-expectRefused(const ToolRun& run, int exit_code, const std::string& word)
-{
-  EXPECT_EQ(run.exit_code, exit_code) << "signal " << run.signal << "\n" << run.err;
-  EXPECT_EQ(run.out, "");
-  EXPECT_EQ(run.errorLines(), 1u) << run.err;
-  EXPECT_EQ(run.err.rfind("pcl_", 0), 0u) << run.err;
-  EXPECT_NE(run.err.find(word), std::string::npos) << run.err;
-}
-
 std::string
 pcdText(const PointCloud<PointXYZ>& cloud)
 {

@@ -22,11 +22,6 @@ runViewer(const std::vector<std::string>& arguments, const RunSettings& settings
 ToolRun
 runPlanes(const std::vector<std::string>& arguments, const RunSettings& settings = {});
 
-/** \brief Checks that a tool failed: the exit code, nothing on stdout and one line on
- * stderr that begins with the name of the tool and contains a word. */
-void
-expectRefused(const ToolRun& run, int exit_code, const std::string& word);
-
 /** \brief A cloud as text in PCD format. */
 std::string
 pcdText(const PointCloud<PointXYZ>& cloud);

@@ -83,8 +83,7 @@ TEST(SurfaceUsage, ValuesOutOfRangeAreRefusedBeforeAnyWork)
       {"--scale", "0"},
       {"--quiet=maybe"}};
   for (const auto& words : nonsense) {
-    std::vector<std::string> arguments = {input, output};
-    arguments.insert(arguments.end(), words.begin(), words.end());
+    std::vector<std::string> arguments = joined({input, output}, words);
     SCOPED_TRACE(words[0] + " " + words.back());
     expectRefused(runSurface(arguments), 2, "--help");
   }
@@ -107,8 +106,7 @@ TEST(PlanesUsage, ValuesOutOfRangeAreRefusedBeforeAnyWork)
                                                           {"--threads", "-1"},
                                                           {"--scale", "0"}};
   for (const auto& words : nonsense) {
-    std::vector<std::string> arguments = {input, output};
-    arguments.insert(arguments.end(), words.begin(), words.end());
+    std::vector<std::string> arguments = joined({input, output}, words);
     SCOPED_TRACE(words[0] + " " + words.back());
     expectRefused(runPlanes(arguments), 2, "--help");
   }

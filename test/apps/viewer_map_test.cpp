@@ -33,10 +33,8 @@ protected:
   run(const std::string& input, std::vector<std::string> more = {})
   {
     fs::remove(picture_);
-    std::vector<std::string> arguments = {
-        input, "--screenshot", picture_, "--size", "320x240"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return runViewer(arguments);
+    return runViewer(
+        joined({input, "--screenshot", picture_, "--size", "320x240"}, more));
   }
 
   ShownPicture
@@ -58,7 +56,7 @@ protected:
                             1 + 0.02F * static_cast<float>((row * 7 + column * 3) % 5),
                             0.1F * static_cast<float>(row) - 1);
     const std::string cloud = folder_.write("room/map.pcd", pcdText(carpet));
-    ASSERT_EQ(runSurface({cloud, folder_.path("room/mesh.ply")}).exit_code, 0);
+    runSurface({cloud, folder_.path("room/mesh.ply")}).succeeded();
   }
 
   /** \brief Replaces a part of map.json. */

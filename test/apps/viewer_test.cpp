@@ -21,8 +21,8 @@ protected:
   std::string
   shoot(const std::string& input, std::vector<std::string> more = {})
   {
-    std::vector<std::string> arguments = {input, "--screenshot", picture_};
-    arguments.insert(arguments.end(), more.begin(), more.end());
+    std::vector<std::string> arguments =
+        joined({input, "--screenshot", picture_}, more);
     const ToolRun run = runViewer(arguments);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     const std::string png = contentOf(picture_);
@@ -41,7 +41,7 @@ TEST_F(Viewer, DrawsCloudsAndMeshes)
   const std::string cloud = shoot(cloud_);
   for (const char* ending : {".ply", ".vtk"}) {
     const std::string mesh = folder_.path(std::string("mesh") + ending);
-    ASSERT_EQ(runSurface({cloud_, mesh}).exit_code, 0);
+    runSurface({cloud_, mesh}).succeeded();
     const std::string drawn = shoot(mesh);
     EXPECT_NE(drawn, cloud);
     EXPECT_NE(shoot(mesh, {"--boundary"}), drawn);
@@ -63,7 +63,7 @@ TEST_F(Viewer, LooksFromWhereItIsTold)
 TEST_F(Viewer, HidesBacksOfMeshes)
 {
   const std::string mesh = folder_.path("mesh.ply");
-  ASSERT_EQ(runSurface({cloud_, mesh}).exit_code, 0);
+  runSurface({cloud_, mesh}).succeeded();
   const std::string behind = shoot(mesh, {"--from", "0", "0", "1"});
   const std::string before = shoot(mesh, {"--from", "0", "0", "-1"});
   EXPECT_NE(shoot(mesh, {"--from", "0", "0", "1", "--hide-backs"}) == behind,

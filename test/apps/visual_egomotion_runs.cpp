@@ -80,12 +80,6 @@ hall()
   return made;
 }
 
-nlohmann::json
-reportOf(const std::string& folder)
-{
-  return nlohmann::json::parse(contentOf(folder + "/report.json"));
-}
-
 std::string
 copyOfHall(const std::string& folder)
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "json_file.h"
 #include "run_tool.h"
 #include "temporary_folder.h"
 
@@ -35,10 +36,6 @@ walk(const TemporaryFolder& folder, const std::string& line);
 /** \brief A hall with six observations, made once per program. */
 const Hall&
 hall();
-
-/** \brief The report.json in a folder. */
-nlohmann::json
-reportOf(const std::string& folder);
 
 /** \brief A copy of the folder, which a test may modify. \return its path */
 std::string

@@ -64,8 +64,7 @@ TEST(EgomotionTool, TellsThePosesOfASequence)
 {
   const TemporaryFolder folder;
   const std::string output = folder.path("out put");
-  const ToolRun run = runEgomotion({hall().session, "-o", output});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runEgomotion({hall().session, "-o", output}).succeeded();
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, HasSubstr("posed:       6 of 6 observations"));
   EXPECT_EQ(filesIn(output), outputsOf({0, 1, 2, 3, 4, 5}));
@@ -92,8 +91,7 @@ TEST(EgomotionTool, PaperModeIsOneFitPerPair)
     EXPECT_EQ(runEgomotion({hall().session, "-o", output, "--paper", departure, "20"})
                   .exit_code,
               2);
-  const ToolRun run = runEgomotion({hall().session, "-o", output, "--paper"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runEgomotion({hall().session, "-o", output, "--paper"}).succeeded();
   const nlohmann::json report = reportOf(output);
   EXPECT_EQ(report.at("mode"), "paper");
   EXPECT_EQ(report.at("refinement"), false);
@@ -113,7 +111,7 @@ TEST(EgomotionTool, ObservationsAreAsTheyWereButForThePose)
 {
   const TemporaryFolder folder;
   const std::string output = folder.path("out");
-  ASSERT_EQ(runEgomotion({hall().session, "-o", output, "--6dof"}).exit_code, 0);
+  runEgomotion({hall().session, "-o", output, "--6dof"}).succeeded();
   expectPoses(output, {0, 1, 2, 3, 4, 5});
   const Trajectory found = loadTrajectory(output + "/trajectory.txt");
   for (std::size_t i = 0; i < 6; ++i) {
@@ -155,8 +153,7 @@ TEST(EgomotionTool, LostObservationsLeaveAGap)
   change(observationIn(session, 2), blacken);
   change(observationIn(session, 3), takePlaces);
   const std::string output = folder.path("out");
-  const ToolRun run = runEgomotion({session, "-o", output});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runEgomotion({session, "-o", output}).succeeded();
   EXPECT_THAT(run.out, HasSubstr("4 of 6 observations"));
   EXPECT_EQ(run.errorLines(), 3U) << run.err;
   const nlohmann::json report = reportOf(output), lost = report.at("lost");
@@ -187,10 +184,10 @@ TEST(EgomotionTool, WhatItWritesGoesIntoRectification)
   const TemporaryFolder folder;
   const std::string session = copyOfHall(folder.path("session"));
   change(observationIn(session, 1), blacken);
-  ASSERT_EQ(runEgomotion({session, "-o", folder.path("posed")}).exit_code, 0);
+  runEgomotion({session, "-o", folder.path("posed")}).succeeded();
   const ToolRun run = runTool(ACMAP_ENTROPY_RECTIFICATION,
-                              {folder.path("posed"), "-o", folder.path("straight")});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+                              {folder.path("posed"), "-o", folder.path("straight")})
+                          .succeeded();
   EXPECT_THAT(run.err, Not(HasSubstr("VIEWPOINT")));
   EXPECT_EQ(loadTrajectory(folder.path("straight/trajectory.txt")).stamps,
             loadTrajectory(folder.path("posed/trajectory.txt")).stamps);
@@ -202,8 +199,7 @@ TEST(EgomotionTool, ABadFirstObservationDoesNotSpoilTheRest)
   const std::string session = copyOfHall(folder.path("session"));
   change(observationIn(session, 0), blacken);
   const std::string output = folder.path("out");
-  const ToolRun run = runEgomotion({session, "-o", output});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runEgomotion({session, "-o", output}).succeeded();
   EXPECT_THAT(run.err,
               HasSubstr("lost: " + observationIn(session, 0) +
                         ": with observation_0001.pcd: observation_0000.pcd shows"));
@@ -233,16 +229,16 @@ TEST(EgomotionTool, FilesInTheOrderOfTheCommandLine)
   fs::rename(observationIn(session, 1), session + "/b.PCD");
   const std::vector<std::string> files = {session + "/a first one.pcd",
                                           session + "/b.PCD"};
-  const ToolRun run = runEgomotion({files[0], files[1], "-o", folder.path("out")});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run =
+      runEgomotion({files[0], files[1], "-o", folder.path("out")}).succeeded();
   EXPECT_EQ(run.err, "");
   EXPECT_TRUE(fs::exists(folder.path("out/a first one.pcd")));
   const Trajectory found = loadTrajectory(folder.path("out/trajectory.txt"));
   EXPECT_THAT(found.stamps, ElementsAre(0, 1));
 
   // sorted in a folder, they would have the opposite order
-  const ToolRun back = runEgomotion({files[1], files[0], "-o", folder.path("back")});
-  ASSERT_EQ(back.exit_code, 0) << back.err;
+  const ToolRun back =
+      runEgomotion({files[1], files[0], "-o", folder.path("back")}).succeeded();
   EXPECT_THAT(back.err, HasSubstr("named anew"));
   EXPECT_EQ(filesIn(folder.path("back")), outputsOf({0, 1}));
   EXPECT_EQ(loadPointCloud(folder.path("back/observation_0000.pcd")).cloud.data,
@@ -280,7 +276,7 @@ TEST(EgomotionTool, PicturesShowMatchesBeforeAndAfterRejection)
   const std::string session = copyOfHall(folder.path("session"));
   change(observationIn(session, 3), blacken);
   const std::string output = folder.path("out");
-  ASSERT_EQ(runEgomotion({session, "-o", output, "--pictures"}).exit_code, 0);
+  runEgomotion({session, "-o", output, "--pictures"}).succeeded();
   for (const int i : {1, 2, 3, 4, 5}) {
     const RgbImage image =
         loadRgbImage(output + "/matches_000" + std::to_string(i) + ".png");
@@ -319,9 +315,14 @@ TEST(EgomotionTool, LengthsInOtherUnitsAreScaled)
   for (Eigen::Isometry3d& pose : truth.poses)
     pose.translation() *= 1000;
   saveTrajectory(folder.path("truth.txt"), truth);
-  const ToolRun run = runEgomotion(
-      {session, "-o", output, "--scale", "0.001", "--truth", folder.path("truth.txt")});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runEgomotion({session,
+                                    "-o",
+                                    output,
+                                    "--scale",
+                                    "0.001",
+                                    "--truth",
+                                    folder.path("truth.txt")})
+                          .succeeded();
   EXPECT_LT(reportOf(output).at("truth").at("translation_per_metre"), 0.03);
   EXPECT_EQ(run.err, "");
   PCLPointCloud2 before, after;
@@ -342,13 +343,13 @@ TEST(EgomotionTool, LengthsInOtherUnitsAreScaled)
 TEST(EgomotionTool, OptionsReachTheEstimate)
 {
   const TemporaryFolder folder;
-  const ToolRun run = runEgomotion({hall().session,
-                                    "-o",
-                                    folder.path("out"),
-                                    "--keypoints",
-                                    "90",
-                                    "--no-refinement"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  runEgomotion({hall().session,
+                "-o",
+                folder.path("out"),
+                "--keypoints",
+                "90",
+                "--no-refinement"})
+      .succeeded();
   const nlohmann::json report = reportOf(folder.path("out"));
   ASSERT_EQ(report.at("pairs").size(), 5U);
   for (const nlohmann::json& pair : report.at("pairs")) {

@@ -14,8 +14,8 @@ TEST(EgomotionTruth, ComparesWithTheTruth)
   const TemporaryFolder folder;
   const std::string truth = hall().session + "/trajectory.txt";
   const ToolRun run =
-      runEgomotion({hall().session, "-o", folder.path("out"), "--truth", truth});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+      runEgomotion({hall().session, "-o", folder.path("out"), "--truth", truth})
+          .succeeded();
   for (const char* word : {"error:", "RPE:", "ATE:"})
     EXPECT_THAT(run.out, HasSubstr(word));
   const nlohmann::json errors = reportOf(folder.path("out")).at("truth");
@@ -32,8 +32,8 @@ TEST(EgomotionTruth, ComparesWithTheTruth)
                                       "-o",
                                       folder.path("other"),
                                       "--truth",
-                                      folder.path("shifted.txt")});
-  ASSERT_EQ(other.exit_code, 0) << other.err;
+                                      folder.path("shifted.txt")})
+                            .succeeded();
   EXPECT_THAT(other.err, HasSubstr("has 7 poses for 6 observations"));
   EXPECT_GT(reportOf(folder.path("other")).at("truth").at("trajectory_error"), 0.1);
 }
@@ -46,8 +46,8 @@ TEST(EgomotionTruth, NumbersTellWhichTruthIsWhose)
                                     "-o",
                                     folder.path("out"),
                                     "--truth",
-                                    hall().session + "/trajectory.txt"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+                                    hall().session + "/trajectory.txt"})
+                          .succeeded();
   EXPECT_THAT(run.err, HasSubstr("has 6 poses for 2 observations; the numbers"));
   EXPECT_LT(reportOf(folder.path("out")).at("truth").at("trajectory_error"), 0.03);
 }
@@ -59,9 +59,12 @@ TEST(EgomotionTruth, ATruthThatStandsStillHasNoPercentage)
   for (Eigen::Isometry3d& pose : still.poses)
     pose = still.poses[2];
   saveTrajectory(folder.path("still.txt"), still);
-  const ToolRun run = runEgomotion(
-      {hall().session, "-o", folder.path("out"), "--truth", folder.path("still.txt")});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = runEgomotion({hall().session,
+                                    "-o",
+                                    folder.path("out"),
+                                    "--truth",
+                                    folder.path("still.txt")})
+                          .succeeded();
   EXPECT_THAT(run.out, HasSubstr("error:"));
   EXPECT_THAT(run.out, Not(HasSubstr("of the way")));
   const nlohmann::json errors = reportOf(folder.path("out")).at("truth");

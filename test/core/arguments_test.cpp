@@ -25,15 +25,10 @@ TEST(RequireInRange, refusesOthers)
 
 TEST(RequireInRange, namesValueRangeAndUnit)
 {
-  try {
-    requireInRange("maximum_edge_length", -0.25, 0.0, 10.0, "m");
-    FAIL() << "was accepted";
-  }
-  catch (const BadArgumentException& exception) {
-    EXPECT_THAT(exception.what(),
-                testing::HasSubstr("maximum_edge_length = -0.25 is refused: it must be "
-                                   "within [0, 10] m"));
-  }
+  EXPECT_THAT([&] { requireInRange("maximum_edge_length", -0.25, 0.0, 10.0, "m"); },
+              testing::ThrowsMessage<BadArgumentException>(testing::HasSubstr(
+                  "maximum_edge_length = -0.25 is refused: it must be "
+                  "within [0, 10] m")));
 }
 
 TEST(RequireViewpoints, refusesWhatIsNoPlace)

@@ -31,13 +31,7 @@ template <typename Error, typename Call>
 void
 expectThrow(const Call& call, const std::string& fault)
 {
-  try {
-    call();
-    ADD_FAILURE() << fault;
-  }
-  catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr(fault));
-  }
+  EXPECT_THAT(call, testing::ThrowsMessage<Error>(HasSubstr(fault))) << fault;
 }
 
 void

@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "temporary_folder.h"
 #include "test_data.h"
 
@@ -79,13 +80,7 @@ logOf(const std::string& bytes)
 std::string
 faultOf(const std::string& bytes)
 {
-  try {
-    logOf(bytes);
-  }
-  catch (const InputFileException& exception) {
-    return exception.what();
-  }
-  return "";
+  return messageOf<InputFileException>([&] { logOf(bytes); });
 }
 
 struct Written {

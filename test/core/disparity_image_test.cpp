@@ -24,14 +24,10 @@ expectUnread(const std::string& text, const std::string& fault)
 {
   const TemporaryFolder folder;
   const std::string path = folder.write("bad.pfm", text);
-  try {
-    loadPfm(path);
-    ADD_FAILURE() << "was read, but should have failed: " << fault;
-  }
-  catch (const InputFileException& exception) {
-    EXPECT_THAT(exception.what(), HasSubstr(path));
-    EXPECT_THAT(exception.what(), HasSubstr(fault));
-  }
+  EXPECT_THAT([&] { loadPfm(path); },
+              testing::ThrowsMessage<InputFileException>(
+                  testing::AllOf(HasSubstr(path), HasSubstr(fault))))
+      << "was read, but should have failed: " << fault;
 }
 
 TEST(DisparityImage, IsWrittenByteByByte)

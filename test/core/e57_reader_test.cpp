@@ -138,13 +138,9 @@ TEST(E57Reader, UglyFilesAreRefusedWithTheirFault)
 {
   const TemporaryFolder folder;
   const auto expectFault = [&](const std::string& bytes, const char* fault) {
-    try {
-      loadPointCloud(folder.write("ugly.e57", bytes));
-      ADD_FAILURE() << fault;
-    }
-    catch (const InputFileException& error) {
-      EXPECT_THAT(error.what(), HasSubstr(fault));
-    }
+    EXPECT_THAT([&] { loadPointCloud(folder.write("ugly.e57", bytes)); },
+                testing::ThrowsMessage<InputFileException>(HasSubstr(fault)))
+        << fault;
   };
   const std::string whole = e57Of({integerScan(150)});
   std::string changed = whole;
@@ -238,13 +234,9 @@ TEST(ScanFile, ABrokenPageIsNamed)
   const TemporaryFolder folder;
   std::string bytes = e57Of({integerScan(150), integerScan(150)});
   bytes[1024 + 30] = static_cast<char>(~bytes[1024 + 30]);
-  try {
-    const ScanFile scans(folder.write("broken.e57", bytes));
-    ADD_FAILURE();
-  }
-  catch (const InputFileException& error) {
-    EXPECT_THAT(error.what(), HasSubstr("checksum of page 1 is wrong"));
-  }
+  EXPECT_THAT([&] { const ScanFile scans(folder.write("broken.e57", bytes)); },
+              testing::ThrowsMessage<InputFileException>(
+                  HasSubstr("checksum of page 1 is wrong")));
 }
 
 TEST(E57Reader, FilesOfOthers)

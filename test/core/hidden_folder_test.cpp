@@ -99,13 +99,12 @@ TEST(HiddenFolder, ManyAtATimeDoNotTakeEachOthers)
 TEST(HiddenFolder, ThatCannotBeMadeIsAFaultOfTheTarget)
 {
   const TemporaryFolder folder;
-  try {
-    const HiddenFolder hidden(folder.path("none"), "a.ply", "as/the/user/wrote/it");
-    FAIL();
-  }
-  catch (const OutputFileException& exception) {
-    EXPECT_THAT(exception.what(), HasSubstr("as/the/user/wrote/it: No such file"));
-  }
+  EXPECT_THAT(
+      [&] {
+        const HiddenFolder hidden(folder.path("none"), "a.ply", "as/the/user/wrote/it");
+      },
+      testing::ThrowsMessage<OutputFileException>(
+          HasSubstr("as/the/user/wrote/it: No such file")));
 }
 
 TEST(HiddenFolder, IsNoPartOfAShownPath)

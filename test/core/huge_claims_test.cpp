@@ -11,6 +11,7 @@
 #include <pcl/core/trajectory.h>
 #include <pcl/core/trinocular_rig.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sys/resource.h>
@@ -172,14 +173,9 @@ TEST_P(HugeClaims, AreHeldAgainstTheFile)
   const TemporaryFolder folder;
   const std::string path = folder.write(GetParam().name, GetParam().bytes);
   const std::size_t before = peakMegabytes();
-  try {
-    GetParam().read(path);
-    FAIL() << "was read";
-  }
-  catch (const InputFileException& error) {
-    EXPECT_NE(std::string(error.what()).find(GetParam().name), std::string::npos)
-        << error.what();
-  }
+  EXPECT_THAT(
+      [&] { GetParam().read(path); },
+      testing::ThrowsMessage<InputFileException>(testing::HasSubstr(GetParam().name)));
   EXPECT_LT(peakMegabytes(), before + (is_sanitized ? 1000 : 200));
 }
 

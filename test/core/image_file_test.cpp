@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "temporary_folder.h"
 #include "test_png.h"
 
@@ -66,13 +67,7 @@ protected:
   static std::string
   faultOf(const Load& load)
   {
-    try {
-      load();
-    }
-    catch (const InputFileException& exception) {
-      return exception.what();
-    }
-    return "no fault";
+    return messageOf<InputFileException>(load, "no fault");
   }
 
   std::string

@@ -108,13 +108,9 @@ TEST(LasReader, UglyFilesAreRefusedWithTheirFault)
 {
   const TemporaryFolder folder;
   const auto expectFault = [&](const LasFile& las, const char* fault) {
-    try {
-      loadFrom(folder, las);
-      ADD_FAILURE() << fault;
-    }
-    catch (const InputFileException& error) {
-      EXPECT_THAT(error.what(), HasSubstr(fault));
-    }
+    EXPECT_THAT([&] { loadFrom(folder, las); },
+                testing::ThrowsMessage<InputFileException>(HasSubstr(fault)))
+        << fault;
   };
   LasFile las(2, 0);
   las.bytes[0] = 'X';

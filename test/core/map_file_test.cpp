@@ -1,3 +1,5 @@
+#include "json_file.h"
+#include "messages.h"
 #include "sample_map.h"
 #include "temporary_folder.h"
 
@@ -57,7 +59,7 @@ protected:
   faultAt(const std::string& pointer, const nlohmann::json& value) const
   {
     saveMapFile(folder_.path("map.json"), makeSampleMap());
-    auto json = nlohmann::json::parse(contentOf(folder_.path("map.json")));
+    auto json = jsonOfFile(folder_.path("map.json"));
     json.at(nlohmann::json::json_pointer(pointer)) = value;
     return faultOf(json.dump());
   }
@@ -303,7 +305,7 @@ TEST_F(MapFile, FaultsAreNamed)
 TEST_F(MapFile, KeysThatAreMissingAreNamed)
 {
   saveMapFile(folder_.path("map.json"), makeSampleMap());
-  const auto whole = nlohmann::json::parse(contentOf(folder_.path("map.json")));
+  const auto whole = jsonOfFile(folder_.path("map.json"));
   for (const std::string place : {"",
                                   "/planes/0",
                                   "/planes/0/polygons/0",
@@ -456,13 +458,8 @@ TEST_F(MapFile, PlanesThatCouldNotBeReadAreNotWritten)
   const auto faultOfPlane = [&](const auto& spoil) -> std::string {
     CompactMap map = makeSampleMap();
     spoil(map.planes[0]);
-    try {
-      saveMapFile(folder_.path("none.json"), map);
-    }
-    catch (const BadArgumentException& exception) {
-      return exception.what();
-    }
-    return "no fault";
+    return messageOf<BadArgumentException>(
+        [&] { saveMapFile(folder_.path("none.json"), map); }, "no fault");
   };
   using Plane = PlanePatch;
   const auto scale = [](double factor) {

@@ -1,3 +1,5 @@
+#include "json_file.h"
+#include "messages.h"
 #include "temporary_folder.h"
 
 #include <pcl/core/exceptions.h>
@@ -90,15 +92,10 @@ protected:
   std::string
   faultAt(const std::string& pointer, const nlohmann::json& value) const
   {
-    auto json = nlohmann::json::parse(contentOf(path_));
+    auto json = jsonOfFile(path_);
     json.at(nlohmann::json::json_pointer(pointer)) = value;
-    try {
-      loadMapFile(folder_.write("changed.json", json.dump()));
-    }
-    catch (const InputFileException& exception) {
-      return exception.what();
-    }
-    return "no fault";
+    return messageOf<InputFileException>(
+        [&] { loadMapFile(folder_.write("changed.json", json.dump())); }, "no fault");
   }
 
   const TemporaryFolder folder_;

@@ -147,13 +147,9 @@ TEST(MeshFile, namesTheFileWhenTheDiskIsFull)
   for (const std::string name : {"full.ply", "full.vtk"}) {
     const std::string path = folder.path(name);
     std::filesystem::create_symlink("/dev/full", path);
-    try {
-      saveTriangleMesh(path, sample.cloud, sample.mesh);
-      FAIL() << "reported success";
-    }
-    catch (const OutputFileException& exception) {
-      EXPECT_THAT(exception.what(), HasSubstr(path + ": No space left"));
-    }
+    EXPECT_THAT([&] { saveTriangleMesh(path, sample.cloud, sample.mesh); },
+                testing::ThrowsMessage<OutputFileException>(
+                    HasSubstr(path + ": No space left")));
   }
 }
 

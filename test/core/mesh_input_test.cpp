@@ -1,6 +1,7 @@
 #include <pcl/core/impl/mesh_input.h>
 #include <pcl/exceptions.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace pcl::acmap::test {
@@ -43,16 +44,11 @@ TEST(RequireCornersInside, namesTheCornerThatIsNot)
   for (const std::int32_t wrong : {-1, 3, 2147483647, -2147483647 - 1})
     for (const Triangles& triangles :
          {Triangles{{0, 1, 2}, {0, wrong, 1}}, Triangles{{wrong, 0, 0}}})
-      try {
-        requireCornersInside(triangles, 3);
-        ADD_FAILURE() << wrong;
-      }
-      catch (const InitFailedException& error) {
-        const std::string text = error.what();
-        EXPECT_NE(text.find("corner " + std::to_string(wrong)), std::string::npos)
-            << text;
-        EXPECT_NE(text.find("3 points"), std::string::npos) << text;
-      }
+      EXPECT_THAT([&] { requireCornersInside(triangles, 3); },
+                  testing::ThrowsMessage<InitFailedException>(testing::AllOf(
+                      testing::HasSubstr("corner " + std::to_string(wrong)),
+                      testing::HasSubstr("3 points"))))
+          << wrong;
 }
 
 } // namespace

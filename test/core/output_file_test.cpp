@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "temporary_folder.h"
 
 #include <pcl/core/output_file.h>
@@ -20,13 +21,7 @@ template <typename Action>
 std::string
 faultOf(const Action& action)
 {
-  try {
-    action();
-  }
-  catch (const OutputFileException& exception) {
-    return exception.what();
-  }
-  return "";
+  return messageOf<OutputFileException>(action);
 }
 
 void

@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "temporary_folder.h"
 
 #include <pcl/core/exceptions.h>
@@ -25,13 +26,7 @@ write(const std::string& path, const std::string& content)
 std::string
 faultOfCommit(OutputFolder& folder)
 {
-  try {
-    folder.commit();
-  }
-  catch (const OutputFileException& exception) {
-    return exception.what();
-  }
-  return "no fault";
+  return messageOf<OutputFileException>([&] { folder.commit(); }, "no fault");
 }
 
 TEST(OutputFolder, FilesAppearAtTheCommit)
@@ -107,13 +102,9 @@ TEST(OutputFolder, FaultsNameThePlaceThatTheUserKnows)
     const OutputFolder output(path);
     EXPECT_EQ(shownPath(output.path("a")), path + "/a");
     fs::create_directory(output.path("a"));
-    try {
-      OutputFile file(output.path("a"));
-      FAIL();
-    }
-    catch (const OutputFileException& exception) {
-      EXPECT_THAT(exception.what(), EndsWith(": " + path + "/a: is a folder"));
-    }
+    EXPECT_THAT([&] { OutputFile file(output.path("a")); },
+                testing::ThrowsMessage<OutputFileException>(
+                    EndsWith(": " + path + "/a: is a folder")));
   }
 }
 

@@ -94,13 +94,9 @@ TEST(Progress, isSilentWithoutCallback)
 TEST(Progress, turnsARefusalIntoAnException)
 {
   const Progress progress([](double, const std::string&) { return false; });
-  try {
-    progress.tell(0.5, "wall");
-    FAIL() << "went on";
-  }
-  catch (const CancelledException& exception) {
-    EXPECT_THAT(exception.what(), testing::HasSubstr("cancelled during wall"));
-  }
+  EXPECT_THAT([&] { progress.tell(0.5, "wall"); },
+              testing::ThrowsMessage<CancelledException>(
+                  testing::HasSubstr("cancelled during wall")));
 }
 
 TEST(StepTimer, listsStepsInTheirOrder)

@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "temporary_folder.h"
 
 #include <pcl/core/rig_calibration.h>
@@ -149,13 +150,7 @@ faultAfter(const std::string& from, const std::string& to, std::size_t nth = 0)
   if (at == std::string::npos)
     return "'" + from + "' is not in the file";
   folder.write("rig.yaml", text.replace(at, from.size(), to));
-  try {
-    loadRigCalibration(path);
-  }
-  catch (const InputFileException& exception) {
-    return exception.what();
-  }
-  return "";
+  return messageOf<InputFileException>([&] { loadRigCalibration(path); });
 }
 
 TEST(RigCalibration, UglyFilesAreNamed)

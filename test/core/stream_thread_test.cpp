@@ -1,3 +1,5 @@
+#include "messages.h"
+
 #include <pcl/core/stream_thread.h>
 
 #include <gtest/gtest.h>
@@ -15,14 +17,10 @@ constexpr StreamThread::Seconds at_once{0};
 std::string
 errorOf(const StreamThread& stream)
 {
-  try {
+  return messageOf([&] {
     if (stream.error())
       std::rethrow_exception(stream.error());
-  }
-  catch (const std::exception& exception) {
-    return exception.what();
-  }
-  return "";
+  });
 }
 
 void

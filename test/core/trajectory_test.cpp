@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "temporary_folder.h"
 
 #include <pcl/core/random.h>
@@ -65,13 +66,8 @@ std::string
 faultOfWay(const std::string& text)
 {
   const TemporaryFolder folder;
-  try {
-    loadTrajectory(folder.write("t.txt", text));
-  }
-  catch (const InputFileException& exception) {
-    return exception.what();
-  }
-  return "";
+  return messageOf<InputFileException>(
+      [&] { loadTrajectory(folder.write("t.txt", text)); });
 }
 
 TEST(Trajectory, FaultsAreNamedWithTheirLine)

@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "temporary_folder.h"
 
 #include <pcl/core/trinocular_rig.h>
@@ -61,13 +62,8 @@ std::string
 faultOfRig(const std::string& text)
 {
   const TemporaryFolder folder;
-  try {
-    loadTrinocularRig(folder.write("rig.yaml", text));
-  }
-  catch (const InputFileException& exception) {
-    return exception.what();
-  }
-  return "";
+  return messageOf<InputFileException>(
+      [&] { loadTrinocularRig(folder.write("rig.yaml", text)); });
 }
 
 TEST(TrinocularRig, NonsenseIsRefusedByFileKeyAndValue)

@@ -1,4 +1,5 @@
 #include "cloud_values.h"
+#include "messages.h"
 #include "temporary_folder.h"
 
 #include <pcl/core/point_cloud_file.h>
@@ -36,14 +37,9 @@ TEST_P(UglyInput, isRefusedWithItsFault)
   const TemporaryFolder folder;
   const std::string path =
       folder.write(std::string("ugly") + GetParam().ending, GetParam().content);
-  try {
-    loadPointCloud(path);
-    FAIL() << "was read";
-  }
-  catch (const InputFileException& exception) {
-    EXPECT_THAT(exception.what(), HasSubstr(path + ": "));
-    EXPECT_THAT(exception.what(), HasSubstr(GetParam().fault));
-  }
+  EXPECT_THAT([&] { loadPointCloud(path); },
+              testing::ThrowsMessage<InputFileException>(
+                  testing::AllOf(HasSubstr(path + ": "), HasSubstr(GetParam().fault))));
 }
 
 std::string
@@ -299,13 +295,7 @@ INSTANTIATE_TEST_SUITE_P(Text, UglyInput, testing::ValuesIn(text_files), nameOf)
 std::string
 faultOf(const std::string& path)
 {
-  try {
-    loadPointCloud(path);
-  }
-  catch (const InputFileException& exception) {
-    return exception.what();
-  }
-  return "";
+  return messageOf<InputFileException>([&] { loadPointCloud(path); });
 }
 
 TEST(UglyPath, isRefusedWithItsFault)

@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "temporary_folder.h"
 
 #include <pcl/core/impl/yaml_node.h>
@@ -15,13 +16,7 @@ template <typename Action>
 std::string
 faultOf(const Action& action)
 {
-  try {
-    action();
-  }
-  catch (const InputFileException& exception) {
-    return exception.what();
-  }
-  return "";
+  return messageOf<InputFileException>(action);
 }
 
 TEST(YamlNode, GivesScalarsListsAndMaps)

@@ -1,4 +1,5 @@
 #include "compact_mapping/stage_folder.h"
+#include "messages.h"
 #include "paper_figures/figure_plan.h"
 #include "temporary_folder.h"
 
@@ -101,13 +102,7 @@ faultOf(const std::string& name,
   std::string text = contentOf(copy);
   text.insert(std::min(at, text.size()), put_in);
   folder.write(fs::path(name).filename().string(), text);
-  try {
-    read(copy);
-  }
-  catch (const std::exception& error) {
-    return error.what();
-  }
-  return "no fault";
+  return messageOf([&] { read(copy); }, "no fault");
 }
 
 TEST(Formats, NewerOnesAreRefusedByName)

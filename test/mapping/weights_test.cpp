@@ -3,6 +3,7 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/random.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -118,14 +119,10 @@ TEST(MapEntropyWeights, badOnesAreRefusedByTheirPoint)
                           std::numeric_limits<float>::infinity()}) {
     std::vector<float> weights(10, 1);
     weights[7] = bad;
-    try {
-      entropy.addPointCloud(map.clouds[0], {}, weights);
-      FAIL() << bad << " was taken";
-    }
-    catch (const BadArgumentException& e) {
-      EXPECT_NE(std::string(e.what()).find("weight of point 7"), std::string::npos)
-          << e.what();
-    }
+    EXPECT_THAT([&] { entropy.addPointCloud(map.clouds[0], {}, weights); },
+                testing::ThrowsMessage<BadArgumentException>(
+                    testing::HasSubstr("weight of point 7")))
+        << bad << " was taken";
   }
   EXPECT_THROW(entropy.addPointCloud(map.clouds[0], {}, std::vector<float>(9, 1)),
                BadArgumentException);

@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "temporary_folder.h"
 
 #include <pcl/pipeline/estimated_poses.h>
@@ -35,13 +36,7 @@ protected:
   std::string
   fault() const
   {
-    try {
-      loadEstimatedPoses(folder_.path(""));
-    }
-    catch (const InputFileException& error) {
-      return error.what();
-    }
-    return {};
+    return messageOf<InputFileException>([&] { loadEstimatedPoses(folder_.path("")); });
   }
 
   TemporaryFolder folder_;

@@ -1,5 +1,6 @@
 #include "e57_file.h"
 #include "mcap_file.h"
+#include "messages.h"
 #include "rgbd_folders.h"
 #include "temporary_folder.h"
 
@@ -256,13 +257,8 @@ TEST(BagSource, BagsOfNoUseAreRefused)
 {
   const TemporaryFolder folder;
   const auto fault = [&](McapWriter& bag) -> std::string {
-    try {
-      openBag(folder.write("bag.mcap", bag.finish()));
-    }
-    catch (const InputFileException& error) {
-      return error.what();
-    }
-    return "none";
+    return messageOf<InputFileException>(
+        [&] { openBag(folder.write("bag.mcap", bag.finish())); }, "none");
   };
   McapWriter texts;
   texts.add("/talk", "std_msgs/msg/String", 1, "hello");

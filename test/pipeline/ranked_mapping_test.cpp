@@ -123,13 +123,10 @@ TEST_F(RankedMapping, KeepsTheMaximumOfPoints)
 TEST_F(RankedMapping, ThrowsWhatARankThrows)
 {
   spoil(views - 1);
-  try {
-    mapBy(2);
-    ADD_FAILURE() << "a broken observation was not noticed";
-  }
-  catch (const InputFileException& error) {
-    EXPECT_THAT(error.what(), HasSubstr(observationName(views - 1)));
-  }
+  EXPECT_THAT(
+      [&] { mapBy(2); },
+      testing::ThrowsMessage<InputFileException>(HasSubstr(observationName(views - 1))))
+      << "a broken observation was not noticed";
 }
 
 TEST_F(RankedMapping, LeavesBrokenObservationsOfARankOut)

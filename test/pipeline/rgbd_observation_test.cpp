@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "rgbd_folders.h"
 #include "temporary_folder.h"
 #include "test_png.h"
@@ -21,13 +22,8 @@ faultOf(const RgbdFrame& frame,
         const RgbdCameras& cameras,
         const RgbdImageSizes& sizes = {})
 {
-  try {
-    loadRgbdObservation(frame, cameras, sizes);
-  }
-  catch (const InputFileException& error) {
-    return error.what();
-  }
-  return "no fault";
+  return messageOf<InputFileException>(
+      [&] { loadRgbdObservation(frame, cameras, sizes); }, "no fault");
 }
 
 /** A folder of 7-Scenes with one frame of 8 x 6 pixels. */

@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "rgbd_folders.h"
 #include "temporary_folder.h"
 #include "test_png.h"
@@ -24,13 +25,7 @@ template <typename Function>
 std::string
 faultOf(const Function& function)
 {
-  try {
-    function();
-  }
-  catch (const InputFileException& error) {
-    return error.what();
-  }
-  return "no fault";
+  return messageOf<InputFileException>(function, "no fault");
 }
 
 RgbdSequenceSettings

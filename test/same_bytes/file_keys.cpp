@@ -1,5 +1,6 @@
 #include "file_keys.h"
 
+#include "json_file.h"
 #include "temporary_folder.h"
 
 #include <nlohmann/json.hpp>
@@ -37,7 +38,7 @@ keysIn(const std::string& folder)
     const std::string name = entry.path().filename().string();
     if (name != "report.json" && name != "map.json" && name != "stage.json")
       continue;
-    auto content = nlohmann::json::parse(contentOf(entry.path().string()));
+    auto content = jsonOfFile(entry.path().string());
     if (name == "stage.json")
       content = content.at("made_of");
     collectKeys(fs::relative(entry.path(), folder).string() + " ", content, keys);

@@ -1,5 +1,6 @@
 #include "file_numbers.h"
 
+#include "json_file.h"
 #include "temporary_folder.h"
 
 #include <pcl/acquisition/frame_file.h>
@@ -70,7 +71,7 @@ public:
   void
   readJson()
   {
-    flatten("", nlohmann::json::parse(contentOf(path_)));
+    flatten("", jsonOfFile(path_));
   }
 
   void

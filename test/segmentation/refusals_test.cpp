@@ -2,6 +2,7 @@
 
 #include <pcl/core/exceptions.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,13 +39,9 @@ expectRefused(const std::function<void(Clustering&)>& spoil, const std::string& 
   setMesh(clustering, makeWall(1, 1));
   spoil(clustering);
   std::vector<PlanePatch> patches(3);
-  try {
-    clustering.segment(patches);
-    ADD_FAILURE() << word;
-  }
-  catch (const InitFailedException& error) {
-    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
-  }
+  EXPECT_THAT([&] { clustering.segment(patches); },
+              testing::ThrowsMessage<InitFailedException>(testing::HasSubstr(word)))
+      << word;
   EXPECT_EQ(patches.size(), 3U) << "untouched";
   std::vector<PointIndices> clusters(2);
   EXPECT_THROW(clustering.extract(clusters), InitFailedException);

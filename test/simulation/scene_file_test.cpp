@@ -111,14 +111,10 @@ TEST(SceneFile, MayHaveTheBuildingOfAStandardScene)
 
 TEST(SceneFile, AnotherBuildingIsRefused)
 {
-  try {
-    load(linesOfBuilding("castle"));
-    FAIL() << "was read";
-  }
-  catch (const InputFileException& exception) {
-    EXPECT_THAT(exception.what(), HasSubstr("line 8, column 11: building: "));
-    EXPECT_THAT(exception.what(), HasSubstr("'castle' is no standard scene"));
-  }
+  EXPECT_THAT([&] { load(linesOfBuilding("castle")); },
+              testing::ThrowsMessage<InputFileException>(
+                  testing::AllOf(HasSubstr("line 8, column 11: building: "),
+                                 HasSubstr("'castle' is no standard scene"))));
 }
 
 /** A line number of the valid scene, its replacement, and a part of the error
@@ -142,14 +138,9 @@ TEST_P(BadSceneTest, IsRefusedWithFileLineAndFault)
 {
   std::vector<std::string> lines = soundLines();
   lines[GetParam().line - 1] = GetParam().text;
-  try {
-    load(lines);
-    FAIL() << "was read";
-  }
-  catch (const InputFileException& exception) {
-    EXPECT_THAT(exception.what(), HasSubstr("scene.yaml: "));
-    EXPECT_THAT(exception.what(), HasSubstr(GetParam().fault));
-  }
+  EXPECT_THAT([&] { load(lines); },
+              testing::ThrowsMessage<InputFileException>(testing::AllOf(
+                  HasSubstr("scene.yaml: "), HasSubstr(GetParam().fault))));
 }
 
 std::string

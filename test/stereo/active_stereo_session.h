@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lit_scenes.h"
+#include "messages.h"
 #include "temporary_folder.h"
 
 #include <pcl/acquisition/trinocular_file_grabber.h>
@@ -111,19 +112,6 @@ protected:
       numbers.push_back(observation.observation);
     }
     return numbers;
-  }
-
-  static std::string
-  errorOf(const ActiveStereoGrabber& grabber)
-  {
-    try {
-      if (grabber.getError())
-        std::rethrow_exception(grabber.getError());
-    }
-    catch (const std::exception& exception) {
-      return exception.what();
-    }
-    return "";
   }
 
   SimulatedScene scene_ = smallScene("office", 64);

@@ -247,13 +247,10 @@ TEST(RigCalibrator, TooFewBoardsAreNamed)
   TrinocularRig rig;
   EXPECT_THROW(calibrator.calibrate(cameras, rig), InitFailedException);
   addShots({shots().begin(), shots().begin() + 4}, calibrator);
-  try {
-    calibrator.calibrate(cameras, rig);
-    FAIL() << "four boards were enough";
-  }
-  catch (const InitFailedException& exception) {
-    EXPECT_THAT(exception.what(), HasSubstr("reference camera has 4 good boards"));
-  }
+  EXPECT_THAT([&] { calibrator.calibrate(cameras, rig); },
+              testing::ThrowsMessage<InitFailedException>(
+                  HasSubstr("reference camera has 4 good boards")))
+      << "four boards were enough";
   EXPECT_FALSE(cameras.camera(RigCamera::Reference).is_there);
 }
 
@@ -282,13 +279,9 @@ TEST(RigCalibrator, BoardsHeldAlikeTellNoFocalLength)
     calibrator.addShot(shots().front(), shotNames(i));
   RigCalibration cameras;
   TrinocularRig rig;
-  try {
-    calibrator.calibrate(cameras, rig);
-    FAIL() << "one place six times was enough";
-  }
-  catch (const InitFailedException& exception) {
-    EXPECT_THAT(exception.what(), HasSubstr("different tilts"));
-  }
+  EXPECT_THAT([&] { calibrator.calibrate(cameras, rig); },
+              testing::ThrowsMessage<InitFailedException>(HasSubstr("different tilts")))
+      << "one place six times was enough";
 }
 
 TEST(RigCalibrator, OpenCvReadsTheFile)

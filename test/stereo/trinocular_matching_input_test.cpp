@@ -198,13 +198,12 @@ expectRefused(const TrinocularRig& rig,
   TrinocularMatching matching;
   matching.setInputRig(rig);
   MatchedDisparity matched = sentinel();
-  try {
-    matching.match({shots.begin(), shots.end()}, matched);
-    ADD_FAILURE() << "was matched";
-  }
-  catch (const BadArgumentException& error) {
-    EXPECT_THAT(error.what(), HasSubstr(word));
-  }
+  EXPECT_THAT(
+      [&] {
+        matching.match({shots.begin(), shots.end()}, matched);
+      },
+      testing::ThrowsMessage<BadArgumentException>(HasSubstr(word)))
+      << "was matched";
   EXPECT_TRUE(isSame(matched, sentinel()));
 }
 

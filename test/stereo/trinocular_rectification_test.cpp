@@ -240,13 +240,9 @@ TEST(TrinocularRectification, RigsThatAreNoneAreRefused)
                            const std::function<void(RigCalibration&)>& change) {
     RigCalibration rig = builtRig();
     change(rig);
-    try {
-      rectification.setInputCalibration(rig);
-      ADD_FAILURE() << word << " was taken";
-    }
-    catch (const BadArgumentException& exception) {
-      EXPECT_THAT(exception.what(), HasSubstr(word));
-    }
+    EXPECT_THAT([&] { rectification.setInputCalibration(rig); },
+                testing::ThrowsMessage<BadArgumentException>(HasSubstr(word)))
+        << word << " was taken";
   };
   const auto h = RigCamera::Horizontal;
   const auto v = RigCamera::Vertical;

@@ -3,6 +3,8 @@
 #include "temporary_folder.h"
 
 #include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,6 +12,8 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <filesystem>
+#include <stdexcept>
 #include <thread>
 
 namespace pcl::acmap::test {
@@ -123,6 +127,15 @@ ToolRun::errorLines() const
 }
 
 ToolRun
+ToolRun::succeeded() const
+{
+  if (exit_code != 0)
+    throw std::runtime_error("ended with code " + std::to_string(exit_code) +
+                             ", signal " + std::to_string(signal) + "\n" + err);
+  return *this;
+}
+
+ToolRun
 runTool(const std::string& program,
         const std::vector<std::string>& arguments,
         const RunSettings& settings)
@@ -140,6 +153,7 @@ runTool(const std::string& program,
   waitpid(process, &status, 0);
 
   ToolRun run;
+  run.name = std::filesystem::path(program).filename().string();
   if (WIFEXITED(status))
     run.exit_code = WEXITSTATUS(status);
   else
@@ -148,6 +162,31 @@ runTool(const std::string& program,
     run.out = contentOf(out);
   run.err = contentOf(err);
   return run;
+}
+
+std::vector<std::string>
+joined(std::vector<std::string> arguments, const std::vector<std::string>& more)
+{
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+void
+expectFails(const ToolRun& run, int exit_code, const std::string& word)
+{
+  EXPECT_EQ(run.exit_code, exit_code) << "signal " << run.signal << "\n" << run.err;
+  EXPECT_EQ(run.out, "");
+  const std::string lines = run.err.substr(0, run.err.size() - !run.err.empty());
+  const std::string last = lines.substr(lines.rfind('\n') + 1);
+  EXPECT_THAT(last, testing::StartsWith(run.name + ": "));
+  EXPECT_THAT(last, testing::HasSubstr(word));
+}
+
+void
+expectRefused(const ToolRun& run, int exit_code, const std::string& word)
+{
+  expectFails(run, exit_code, word);
+  EXPECT_EQ(run.errorLines(), 1U) << run.err;
 }
 
 } // namespace pcl::acmap::test

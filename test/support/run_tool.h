@@ -50,9 +50,15 @@ struct ToolRun {
   int signal = 0;     ///< that signal, else 0
   std::string out;
   std::string err;
+  std::string name; ///< of the program
 
   std::size_t
   errorLines() const;
+
+  /** \brief The run itself, for tests that go on only after a success.
+   * \throws std::runtime_error with what the program said, unless it ended with 0 */
+  ToolRun
+  succeeded() const;
 };
 
 /** \brief Runs a program without a shell and waits for its end. */
@@ -60,5 +66,18 @@ ToolRun
 runTool(const std::string& program,
         const std::vector<std::string>& arguments,
         const RunSettings& settings = {});
+
+/** \brief Arguments with more behind them. */
+std::vector<std::string>
+joined(std::vector<std::string> arguments, const std::vector<std::string>& more);
+
+/** \brief A run fails with an exit code, nothing on stdout, and a last line on stderr that
+ * begins with the name of the program and contains a word. */
+void
+expectFails(const ToolRun& run, int exit_code, const std::string& word);
+
+/** \brief The same, and that line is the only one on stderr. */
+void
+expectRefused(const ToolRun& run, int exit_code, const std::string& word);
 
 } // namespace pcl::acmap::test

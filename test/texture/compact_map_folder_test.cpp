@@ -1,3 +1,4 @@
+#include "messages.h"
 #include "sample_map.h"
 #include "temporary_folder.h"
 #include "textured_map.h"
@@ -67,13 +68,7 @@ protected:
   std::string
   fault() const
   {
-    try {
-      loadCompactMap(path());
-    }
-    catch (const InputFileException& error) {
-      return error.what();
-    }
-    return "no fault";
+    return messageOf<InputFileException>([&] { loadCompactMap(path()); }, "no fault");
   }
 
   std::string
@@ -246,13 +241,10 @@ TEST_F(CompactMapFolder, UnsoundPlanesAreNamed)
   const auto expectRefused = [&](const std::string& word, const auto& spoil) {
     CompactMap map = makeTexturedMap();
     spoil(map.planes[2]); // a plane without a chart
-    try {
-      saveCompactMap(path(), map);
-      ADD_FAILURE() << word;
-    }
-    catch (const BadArgumentException& error) {
-      EXPECT_THAT(error.what(), HasSubstr("plane 2 of a map is unsound: " + word));
-    }
+    EXPECT_THAT([&] { saveCompactMap(path(), map); },
+                testing::ThrowsMessage<BadArgumentException>(
+                    HasSubstr("plane 2 of a map is unsound: " + word)))
+        << word;
     EXPECT_FALSE(std::filesystem::exists(path()));
   };
   using Plane = PlanePatch;

@@ -98,7 +98,7 @@ TEST(CameraFaults, ASizeThatChangesEndsTheStream)
   CameraGrabber grabber(pairRig(), {"left", "right"}, desk.opener());
   const TakenFrames taken(grabber);
   shoot(grabber);
-  EXPECT_EQ(faultOf(grabber), CameraFault::Unsupported);
+  EXPECT_EQ(streamFaultOf(grabber), CameraFault::Unsupported);
   EXPECT_EQ(taken.size(), 0u);
 }
 
@@ -113,17 +113,17 @@ TEST(CameraFaults, AnUnpluggedCameraIsNamedAndOpenedAgain)
   EXPECT_EQ(taken.size(), 2u);
   shoot(grabber);
   std::string message;
-  EXPECT_EQ(faultOf(grabber, &message), CameraFault::Unplugged);
+  EXPECT_EQ(streamFaultOf(grabber, &message), CameraFault::Unplugged);
   EXPECT_THAT(message, HasSubstr("the horizontal camera, right: gives no more images"));
   EXPECT_EQ(taken.size(), 2u);
 
   desk.camera("right").images = 0;
   shoot(grabber);
-  EXPECT_EQ(faultOf(grabber), CameraFault::Unplugged);
+  EXPECT_EQ(streamFaultOf(grabber), CameraFault::Unplugged);
 
   desk.camera("right").images = 1000000; // plugged in again
   shoot(grabber);
-  EXPECT_EQ(faultOf(grabber), CameraFault::None);
+  EXPECT_EQ(streamFaultOf(grabber), CameraFault::None);
   EXPECT_EQ(taken.size(), 3u);
   EXPECT_EQ(taken.frames()[2]->number, 2u);
   EXPECT_EQ(desk.camera("left").opened, 3);
@@ -138,13 +138,13 @@ TEST(CameraFaults, ACameraThatGivesNoImageIsSilent)
   const auto begin = std::chrono::steady_clock::now();
   shoot(grabber);
   std::string message;
-  EXPECT_EQ(faultOf(grabber, &message), CameraFault::Silent);
+  EXPECT_EQ(streamFaultOf(grabber, &message), CameraFault::Silent);
   EXPECT_THAT(message,
               HasSubstr("the reference camera, left: gave no image within 0.2 s"));
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(3));
   desk.camera("left").blocks = false;
   shoot(grabber);
-  EXPECT_EQ(faultOf(grabber), CameraFault::None);
+  EXPECT_EQ(streamFaultOf(grabber), CameraFault::None);
 }
 
 TEST(CameraFaults, StopDoesNotWaitForASilentCamera)
@@ -163,7 +163,7 @@ TEST(CameraFaults, StopDoesNotWaitForASilentCamera)
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
   desk.camera("left").blocks = false;
   shoot(grabber);
-  EXPECT_EQ(faultOf(grabber), CameraFault::None);
+  EXPECT_EQ(streamFaultOf(grabber), CameraFault::None);
 }
 
 TEST(CameraFaults, ASceneThatNeverStandsStillIsAnError)
@@ -175,7 +175,7 @@ TEST(CameraFaults, ASceneThatNeverStandsStillIsAnError)
   const TakenFrames taken(grabber);
   shoot(grabber);
   std::string message;
-  EXPECT_EQ(faultOf(grabber, &message), CameraFault::Moving);
+  EXPECT_EQ(streamFaultOf(grabber, &message), CameraFault::Moving);
   EXPECT_THAT(message,
               HasSubstr("the scene moves: two successive images of the "
                         "horizontal camera differ by "));
@@ -198,7 +198,7 @@ TEST(CameraFaults, IncompleteImagesArePassedOver)
   shoot(grabber);
   desk.camera("left").is_incomplete = true;
   shoot(grabber);
-  EXPECT_EQ(faultOf(grabber), CameraFault::Corrupt);
+  EXPECT_EQ(streamFaultOf(grabber), CameraFault::Corrupt);
   EXPECT_EQ(grabber.getReport().broken, 11u);
   desk.camera("left").is_incomplete = false;
   shoot(grabber);
@@ -217,7 +217,7 @@ TEST(CameraFaults, ARecordingThatEndsWithinAShotIsAnError)
   shoot(grabber);
   shoot(grabber);
   std::string message;
-  EXPECT_EQ(faultOf(grabber, &message), CameraFault::Silent);
+  EXPECT_EQ(streamFaultOf(grabber, &message), CameraFault::Silent);
   EXPECT_THAT(message, HasSubstr("the recording ended"));
   EXPECT_EQ(taken.size(), 1u);
 }

@@ -31,7 +31,7 @@ TEST(CameraGrabber, TakesAShotOfAPair)
   const TakenFrames taken(grabber);
   shoot(grabber);
   shoot(grabber);
-  EXPECT_EQ(faultOf(grabber), CameraFault::None);
+  EXPECT_EQ(streamFaultOf(grabber), CameraFault::None);
   const auto frames = taken.frames();
   ASSERT_EQ(frames.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -97,7 +97,7 @@ TEST(CameraGrabber, WaitsUntilTheSceneStandsStill)
   CameraGrabber grabber(pairRig(), {"left", "right"}, desk.opener());
   const TakenFrames taken(grabber);
   shoot(grabber);
-  ASSERT_EQ(faultOf(grabber), CameraFault::None);
+  ASSERT_EQ(streamFaultOf(grabber), CameraFault::None);
   ASSERT_EQ(taken.size(), 1u);
   EXPECT_TRUE(taken.frames()[0]->image(RigCamera::Reference) == texturedImage(0, 40));
   const CameraGrabberReport report = grabber.getReport();
@@ -140,7 +140,7 @@ TEST(CameraGrabber, AStreamGivesOnlyStillFrames)
   const TakenFrames taken(grabber);
   grabber.start();
   grabber.wait();
-  EXPECT_EQ(faultOf(grabber), CameraFault::None);
+  EXPECT_EQ(streamFaultOf(grabber), CameraFault::None);
   // 10 for the warm-up; the first of the others only to compare
   EXPECT_EQ(taken.size(), 200u - 10 - 1 - 100);
   EXPECT_EQ(grabber.getReport().moved, 100u);

@@ -88,7 +88,7 @@ TEST(CameraSettings, AValueThatACameraRefusesIsAnError)
   grabber.setGain(3);
   shoot(grabber);
   std::string message;
-  EXPECT_EQ(faultOf(grabber, &message), CameraFault::Unsupported);
+  EXPECT_EQ(streamFaultOf(grabber, &message), CameraFault::Unsupported);
   EXPECT_THAT(message, HasSubstr("right: refuses gain = 3"));
 }
 

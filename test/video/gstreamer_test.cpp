@@ -1,3 +1,5 @@
+#include "thrown_faults.h"
+
 #include <pcl/video/camera_grabber.h>
 
 #include <gmock/gmock.h>
@@ -68,14 +70,9 @@ TEST_F(GStreamer, APipelineThatEndsIsAnUnpluggedCamera)
   CameraGrabber grabber(rig_, {pipeline("smpte75", 1000), pipeline("circular", 14)});
   grabber.trigger();
   grabber.wait();
-  ASSERT_TRUE(grabber.getError());
-  try {
-    std::rethrow_exception(grabber.getError());
-  }
-  catch (const CameraException& exception) {
-    EXPECT_EQ(exception.fault(), CameraFault::Unplugged);
-    EXPECT_THAT(exception.what(), HasSubstr("pattern=circular"));
-  }
+  std::string message;
+  EXPECT_EQ(streamFaultOf(grabber, &message), CameraFault::Unplugged);
+  EXPECT_THAT(message, HasSubstr("pattern=circular"));
 }
 
 TEST_F(GStreamer, TheSamePictureIsOneCamera)
@@ -86,13 +83,9 @@ TEST_F(GStreamer, TheSamePictureIsOneCamera)
 
 TEST_F(GStreamer, APipelineOfNonsenseIsRefused)
 {
-  try {
-    openVideo("nosuchsrc ! appsink");
-    FAIL();
-  }
-  catch (const CameraException& exception) {
-    EXPECT_THAT(exception.what(), HasSubstr("GStreamer does not accept this pipeline"));
-  }
+  EXPECT_THAT([&] { openVideo("nosuchsrc ! appsink"); },
+              testing::ThrowsMessage<CameraException>(
+                  HasSubstr("GStreamer does not accept this pipeline")));
 }
 
 } // namespace

@@ -151,19 +151,4 @@ shoot(TrinocularGrabber& grabber)
   grabber.wait();
 }
 
-CameraFault
-faultOf(const TrinocularGrabber& grabber, std::string* message)
-{
-  try {
-    if (const std::exception_ptr error = grabber.getError())
-      std::rethrow_exception(error);
-  }
-  catch (const CameraException& exception) {
-    if (message)
-      *message = exception.what();
-    return exception.fault();
-  }
-  return CameraFault::None;
-}
-
 } // namespace pcl::acmap::test

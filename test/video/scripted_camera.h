@@ -1,5 +1,7 @@
 #pragma once
 
+#include "thrown_faults.h"
+
 #include <pcl/core/trinocular_rig.h>
 #include <pcl/video/camera_grabber.h>
 
@@ -92,9 +94,5 @@ private:
 /** \brief Takes a shot and waits for it. */
 void
 shoot(TrinocularGrabber& grabber);
-
-/** \brief Fault of the last stream, with its message; None if there was none. */
-CameraFault
-faultOf(const TrinocularGrabber& grabber, std::string* message = nullptr);
 
 } // namespace pcl::acmap::test

@@ -1,8 +1,7 @@
 #include "video_device.h"
 
 #include "temporary_folder.h"
-
-#include <pcl/core/camera_exception.h>
+#include "thrown_faults.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,14 +24,9 @@ TEST(VideoDevice, IsWhatItsNameSays)
 
 TEST(VideoDevice, ThatIsMissingIsNamed)
 {
-  try {
-    findVideoDevice("4711");
-    FAIL();
-  }
-  catch (const CameraException& exception) {
-    EXPECT_EQ(exception.fault(), CameraFault::NotFound);
-    EXPECT_THAT(exception.what(), HasSubstr("/dev/video4711"));
-  }
+  std::string message;
+  EXPECT_EQ(faultOf([] { findVideoDevice("4711"); }, &message), CameraFault::NotFound);
+  EXPECT_THAT(message, HasSubstr("/dev/video4711"));
   const TemporaryFolder folder;
   EXPECT_THROW(findVideoDevice(folder.path("")), InputFileException);
 }

@@ -82,18 +82,6 @@ rigWith(bool horizontal, bool vertical)
   return rig;
 }
 
-CameraFault
-faultOf(const std::function<void()>& work)
-{
-  try {
-    work();
-  }
-  catch (const CameraException& exception) {
-    return exception.fault();
-  }
-  return CameraFault::None;
-}
-
 void
 requireEnd(const std::function<void()>& work)
 {

@@ -2,6 +2,7 @@
 
 #include "iidc_addresses.h"
 #include "numbered_images.h"
+#include "thrown_faults.h"
 #include "usb_testbed.h"
 
 #include <pcl/acquisition/digiclops_grabber.h>
@@ -58,10 +59,6 @@ private:
  * \param[in] horizontal, vertical does the rig have these cameras? */
 TrinocularRig
 rigWith(bool horizontal, bool vertical);
-
-/** \brief The camera fault that a function throws; None if it does not throw. */
-CameraFault
-faultOf(const std::function<void()>& work);
 
 /** \brief Aborts the program if a function hangs. */
 void

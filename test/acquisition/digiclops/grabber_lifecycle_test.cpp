@@ -17,20 +17,6 @@ protected:
   {
     open();
   }
-
-  /** Message of the error that ended the stream; empty if there was none. */
-  std::string
-  errorText() const
-  {
-    try {
-      if (grabber_->getError())
-        std::rethrow_exception(grabber_->getError());
-    }
-    catch (const std::exception& exception) {
-      return exception.what();
-    }
-    return "";
-  }
 };
 
 TEST_F(GrabberLifecycle, AHundredStreams)
@@ -46,7 +32,7 @@ TEST_F(GrabberLifecycle, AHundredStreams)
     is_stopped = true;
     EXPECT_FALSE(grabber_->isRunning());
   }
-  EXPECT_EQ("", errorText());
+  EXPECT_EQ("", errorOf(*grabber_));
   sentNumbers();
   EXPECT_EQ(grabber_->getReport().restarts, 0U);
 }
@@ -74,7 +60,7 @@ TEST_F(GrabberLifecycle, StopInACallbackMakesItTheLast)
   grabber_->start();
   grabber_->wait();
   EXPECT_EQ(log_->frames().size(), 2U);
-  EXPECT_EQ("", errorText());
+  EXPECT_EQ("", errorOf(*grabber_));
 }
 
 TEST_F(GrabberLifecycle, StopAndStartInACallbackGoOn)
@@ -86,7 +72,7 @@ TEST_F(GrabberLifecycle, StopAndStartInACallbackGoOn)
   };
   startFor(5);
   grabber_->stop();
-  EXPECT_EQ("", errorText());
+  EXPECT_EQ("", errorOf(*grabber_));
 }
 
 TEST_F(GrabberLifecycle, StopEndsAWait)
@@ -127,7 +113,7 @@ TEST_F(GrabberLifecycle, ThreadsMayDisagree)
     grabber_->stop();
   });
   EXPECT_FALSE(grabber_->isRunning());
-  EXPECT_EQ("", errorText());
+  EXPECT_EQ("", errorOf(*grabber_));
   startFor(2);
   grabber_->stop();
   sentNumbers();
@@ -138,14 +124,14 @@ TEST_F(GrabberLifecycle, WhatACallbackThrowsEndsTheStream)
   log_->on_frame = [] { throw std::runtime_error("enough"); };
   grabber_->start();
   grabber_->wait();
-  EXPECT_EQ(errorText(), "enough");
+  EXPECT_EQ(errorOf(*grabber_), "enough");
   EXPECT_EQ(log_->frames().size(), 1U);
   EXPECT_TRUE(log_->errors().empty()); // it is not an error of the camera
   EXPECT_EQ(grabber_->getFault(), CameraFault::None);
   EXPECT_TRUE(grabber_->camera().isOpen());
   log_->on_frame = nullptr;
   startFor(3);
-  EXPECT_EQ("", errorText());
+  EXPECT_EQ("", errorOf(*grabber_));
   grabber_->stop();
 }
 
@@ -201,7 +187,7 @@ TEST_F(GrabberUnderATrigger, WaitsWithoutAnError)
     std::this_thread::sleep_for(120ms);
   }
   requireEnd([&] { grabber_->stop(); });
-  EXPECT_EQ("", errorText());
+  EXPECT_EQ("", errorOf(*grabber_));
   const DigiclopsGrabberReport report = grabber_->getReport();
   EXPECT_EQ(report.frames, 3U);
   EXPECT_EQ(report.lost + report.restarts, 0U);
@@ -233,7 +219,7 @@ TEST_F(GrabberUnderATrigger, StopsAtAnyMoment)
       grabber_->stop();
     }
   });
-  EXPECT_EQ("", errorText());
+  EXPECT_EQ("", errorOf(*grabber_));
 }
 
 TEST_F(GrabberUnderATrigger, MayEndWhileItWaits)

@@ -2,6 +2,7 @@
 
 #include "iidc_addresses.h"
 #include "memory_bus.h"
+#include "thrown_faults.h"
 
 #include <pcl/acquisition/iidc_camera.h>
 
@@ -15,20 +16,6 @@ inline std::vector<std::uint8_t>
 greyImage(const Exposure& exposure)
 {
   return std::vector<std::uint8_t>(exposure.setting.image_bytes, 0x55);
-}
-
-/** \brief The camera fault that a function throws; None if it does not throw. */
-template <typename Work>
-CameraFault
-faultOf(const Work& work)
-{
-  try {
-    work();
-  }
-  catch (const CameraException& exception) {
-    return exception.fault();
-  }
-  return CameraFault::None;
 }
 
 /** \brief A camera on a bus in memory. */

@@ -66,15 +66,11 @@ TEST_F(IidcCameraTest, FindsTheModeOfARig)
   EXPECT_EQ(camera_.findMode(640, 480, 3).text(), "7:0 640x480 RGB8");
   EXPECT_EQ(camera_.findMode(640, 480, 2).text(), "7:3 640x480 Mono16");
   EXPECT_EQ(camera_.findMode(640, 480, 1).text(), "7:0 640x480 Mono8");
-  try {
-    camera_.findMode(1024, 768, 3);
-    FAIL();
-  }
-  catch (const CameraException& exception) {
-    EXPECT_EQ(exception.fault(), CameraFault::Unsupported);
-    EXPECT_THAT(exception.what(), HasSubstr("1024 x 768"));
-    EXPECT_THAT(exception.what(), HasSubstr("7:3 640x480 Raw16"));
-  }
+  std::string message;
+  EXPECT_EQ(faultOf([&] { camera_.findMode(1024, 768, 3); }, &message),
+            CameraFault::Unsupported);
+  EXPECT_THAT(message, HasSubstr("1024 x 768"));
+  EXPECT_THAT(message, HasSubstr("7:3 640x480 Raw16"));
 }
 
 TEST_F(IidcCameraTest, TakesTheNearestRateOfAFixedMode)

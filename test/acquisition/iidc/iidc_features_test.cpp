@@ -1,4 +1,5 @@
 #include "iidc_camera_fixture.h"
+#include "messages.h"
 
 #include <pcl/core/exceptions.h>
 
@@ -20,13 +21,7 @@ protected:
   std::string
   refusalOf(const Work& work)
   {
-    try {
-      work();
-    }
-    catch (const BadArgumentException& exception) {
-      return exception.what();
-    }
-    return "none";
+    return messageOf<BadArgumentException>(work, "none");
   }
 };
 

@@ -1,3 +1,4 @@
+#include "thrown_faults.h"
 #include "sequence_rig.h"
 
 #include <pcl/core/camera_exception.h>
@@ -11,21 +12,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-CameraFault
-faultOf(const TrinocularGrabber& grabber)
-{
-  try {
-    if (grabber.getError())
-      std::rethrow_exception(grabber.getError());
-  }
-  catch (const CameraException& exception) {
-    return exception.fault();
-  }
-  catch (const std::exception&) {
-  }
-  return CameraFault::None;
-}
 
 class SequenceFault : public SequenceRig {
 protected:
@@ -152,7 +138,7 @@ TEST_F(SequenceFault, OfACameraThatGivesNoShot)
   grabber->setShotTimeout(0.25);
   grabber->observe();
   grabber->wait();
-  EXPECT_EQ(faultOf(*grabber), CameraFault::Silent);
+  EXPECT_EQ(streamFaultOf(*grabber), CameraFault::Silent);
   grabber->rewind();
   camera_->on_shot = [&] { camera_->gives_frames = is_sound_; };
   grabber->trigger();
@@ -174,7 +160,7 @@ TEST_F(SequenceFault, OfACameraThatStreamsForOthers)
   grabber->setShotTimeout(0.05);
   grabber->observe();
   grabber->wait();
-  EXPECT_EQ(faultOf(*grabber), CameraFault::Silent);
+  EXPECT_EQ(streamFaultOf(*grabber), CameraFault::Silent);
   EXPECT_THAT(errorOf(*grabber), HasSubstr("streams for others"));
   EXPECT_EQ(shots(), "");
   expectAtRest();
@@ -195,7 +181,7 @@ TEST_F(SequenceFault, AShotThatComesTooLateIsNotTakenForTheNext)
   };
   grabber->observe();
   grabber->wait();
-  EXPECT_EQ(faultOf(*grabber), CameraFault::Silent);
+  EXPECT_EQ(streamFaultOf(*grabber), CameraFault::Silent);
   is_sound_ = true;
   grabber->setShotTimeout(5);
   // a shot that was not requested, under the light of pattern 1

@@ -224,13 +224,9 @@ TEST_F(SequenceOrder, RefusesWhatCannotBe)
   EXPECT_NO_THROW(make(levelPatterns(2)));
   std::vector<RgbImage> patterns = levelPatterns(2);
   patterns[1].values.pop_back();
-  try {
-    make(patterns);
-    ADD_FAILURE();
-  }
-  catch (const BadArgumentException& error) {
-    EXPECT_THAT(error.what(), HasSubstr("pattern 1 of 4 x 2 pixels has 23 values"));
-  }
+  EXPECT_THAT([&] { make(patterns); },
+              testing::ThrowsMessage<BadArgumentException>(
+                  HasSubstr("pattern 1 of 4 x 2 pixels has 23 values")));
   EXPECT_THROW(make({{}}), BadArgumentException);
   EXPECT_THROW(make({{-4, -2, std::vector<std::uint8_t>(24)}}), BadArgumentException);
   EXPECT_THROW(PatternSequenceGrabber(nullptr, lamp_, {}), BadArgumentException);

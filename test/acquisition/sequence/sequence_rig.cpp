@@ -4,19 +4,6 @@
 
 namespace pcl::acmap::test {
 
-std::string
-errorOf(const TrinocularGrabber& grabber)
-{
-  try {
-    if (grabber.getError())
-      std::rethrow_exception(grabber.getError());
-  }
-  catch (const std::exception& exception) {
-    return exception.what();
-  }
-  return "";
-}
-
 bool
 showsOnly(const TrinocularFrame& frame, int level)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lamp.h"
+#include "messages.h"
 #include "shutter_camera.h"
 
 #include <pcl/acquisition/pattern_sequence_grabber.h>
@@ -11,10 +12,6 @@
 #include <thread>
 
 namespace pcl::acmap::test {
-
-/** \brief Message of the error that ended the stream; empty if there was none. */
-std::string
-errorOf(const TrinocularGrabber& grabber);
 
 /** \brief Do all images of a frame show one level? */
 bool

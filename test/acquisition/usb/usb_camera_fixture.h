@@ -1,6 +1,7 @@
 #pragma once
 
 #include "iidc_addresses.h"
+#include "thrown_faults.h"
 #include "usb_testbed.h"
 
 #include <pcl/acquisition/usb_camera.h>
@@ -26,21 +27,6 @@ inline std::vector<std::uint8_t>
 imageOf(const Exposure& exposure)
 {
   return bytesOf(exposure.number, exposure.setting.image_bytes);
-}
-
-/** \brief The camera fault that a function throws; None if it does not throw. */
-inline CameraFault
-faultOf(const std::function<void()>& action, std::string* message = nullptr)
-{
-  try {
-    action();
-  }
-  catch (const CameraException& exception) {
-    if (message)
-      *message = exception.what();
-    return exception.fault();
-  }
-  return CameraFault::None;
 }
 
 inline std::chrono::milliseconds

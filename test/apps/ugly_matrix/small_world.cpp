@@ -23,9 +23,7 @@ made(const std::string& name,
 {
   const std::string path = world().path(name);
   arguments.insert(arguments.end(), {"-o", path});
-  const ToolRun run = runTool(ACMAP_TOOLS_FOLDER "/" + tool, arguments);
-  if (run.exit_code != 0)
-    throw std::runtime_error(run.err);
+  runTool(ACMAP_TOOLS_FOLDER "/" + tool, arguments).succeeded();
   return path;
 }
 
