@@ -20,7 +20,7 @@ ourPlanes(const OneView& view)
     segmentation.segment(patches);
     for (const PlanePatch& patch : patches)
       planes.planes.push_back(patch.coefficients);
-    labels = segmentation.getLabels();
+    labels.assign(segmentation.getLabels().begin(), segmentation.getLabels().end());
     return planes;
   });
   for (std::size_t i = 0; i < labels.size(); ++i)
