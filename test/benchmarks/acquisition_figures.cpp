@@ -1,27 +1,125 @@
-#include "frame_ways.h"
-#include "markdown_row.h"
-#include "sections.h"
+#include "bench.h"
+#include "paper_patterns.h"
 #include "session/session_folder.h"
 #include "temporary_folder.h"
-#include "timing.h"
-#include "units.h"
 
 #include <pcl/acquisition/frame_file.h>
-#include <pcl/acquisition/random_line_pattern.h>
+#include <pcl/acquisition/trinocular_file_grabber.h>
+#include <pcl/acquisition/trinocular_recorder.h>
+#include <pcl/core/image_file.h>
+#include <pcl/core/output_file.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
 #include <pcl/simulation/standard_scenes.h>
 
+#include <array>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr char usage[] =
-    "Usage: acmap_bench_acquisition_figures [patterns] [session] [disk]\n"
-    "Prints, as Markdown tables, how line patterns come out, and "
-    "what it takes to record\n"
-    "frames of a simulated rig and to read them.\n";
+using Images = std::array<CameraImage, 3>;
+using Frames = std::vector<TrinocularFrame::Ptr>;
+using Bytes = std::vector<std::uint8_t>;
+
+/** A method to store frames. */
+struct FrameWay {
+  std::string name, folder;
+  std::function<void(const TrinocularFrame&)> write;
+  std::function<void()> finish; ///< called after all frames have been written
+  std::function<Images(std::size_t number)> read; ///< in the order of writing
+};
+
+FrameWay
+sessionWay(const std::string& folder, const TrinocularRig& rig)
+{
+  const auto recorder = std::make_shared<TrinocularRecorder>(folder, rig);
+  const auto grabber = std::make_shared<std::unique_ptr<TrinocularFileGrabber>>();
+  return {"session",
+          folder,
+          [=](const TrinocularFrame& frame) { recorder->record(frame); },
+          [=] {
+            recorder->finish();
+            *grabber = std::make_unique<TrinocularFileGrabber>(folder);
+          },
+          [=](std::size_t i) { return std::move((*grabber)->frame(i)->images); }};
+}
+
+/** Stores the image of each camera in a file.
+ * \param[in] load reads the values of an image, which has the correct size */
+FrameWay
+imageWay(const std::string& name,
+         const std::string& folder,
+         const std::function<Bytes(const CameraImage&)>& encode,
+         const std::function<Bytes(const std::string&, const CameraImage&)>& load)
+{
+  std::filesystem::create_directory(folder);
+  const auto shape = std::make_shared<Images>();
+  const auto pathOf = [=](std::uint64_t frame, std::size_t camera) {
+    return folder + "/" + std::to_string(frame) + "_" + std::to_string(camera);
+  };
+  const auto frames = std::make_shared<std::uint64_t>(0);
+  return {name,
+          folder,
+          [=](const TrinocularFrame& frame) {
+            for (std::size_t camera = 0; camera < frame.images.size(); ++camera) {
+              OutputFile file(pathOf(*frames, camera));
+              const Bytes bytes = encode(frame.images[camera]);
+              file.write(bytes.data(), bytes.size());
+              file.commit();
+            }
+            *shape = frame.images;
+            for (CameraImage& image : *shape)
+              image.values.clear();
+            ++*frames;
+          },
+          [] {},
+          [=](std::size_t i) {
+            Images images = *shape;
+            for (std::size_t camera = 0; camera < images.size(); ++camera)
+              images[camera].values = load(pathOf(i, camera), images[camera]);
+            return images;
+          }};
+}
+
+Bytes
+loadPlain(const std::string& path, const CameraImage& image)
+{
+  Bytes values(static_cast<std::size_t>(image.channels * image.width * image.height));
+  std::ifstream(path, std::ios::binary)
+      .read(reinterpret_cast<char*>(values.data()),
+            static_cast<std::streamsize>(values.size()));
+  return values;
+}
+
+Bytes
+encodeAsPng(const CameraImage& image)
+{
+  return image.channels == 1
+             ? encodePng(image.width, image.height, image.values)
+             : encodePng(RgbImage{image.width, image.height, image.values});
+}
+
+Bytes
+loadFromPng(const std::string& path, const CameraImage& image)
+{
+  if (image.channels == 3)
+    return loadRgbImage(path).values;
+  const GrayImage16 gray = loadGrayImage16(path);
+  return {gray.values.begin(), gray.values.end()};
+}
+
+std::vector<FrameWay>
+waysToKeepFrames(const std::string& folder, const TrinocularRig& rig)
+{
+  const auto valuesOfImage = [](const CameraImage& image) { return image.values; };
+  return {imageWay("plain files", folder + "/plain", valuesOfImage, loadPlain),
+          sessionWay(folder + "/session", rig),
+          imageWay("PNG", folder + "/png", encodeAsPng, loadFromPng)};
+}
 
 void
 printPatterns(const std::string& name,
@@ -42,27 +140,16 @@ printPatterns(const std::string& name,
     max_redraws = std::max(max_redraws, report.redraws);
     coverage += report.coverage / patterns;
   }
-  MarkdownRow()
-      .text(name)
-      .count(redrawn)
-      .count(static_cast<std::size_t>(max_redraws))
-      .count(none_good)
-      .number(coverage, 3)
-      .number(milli * median(seconds), 1)
-      .print();
+  Row() << name << redrawn << max_redraws << none_good << figure(coverage, 3)
+        << figure(milli * median(seconds), 1);
 }
 
 /** The shots of two distant observations. */
-std::vector<TrinocularFrame::Ptr>
+Frames
 film(const std::string& scene)
 {
-  constexpr std::uint32_t patterns = 10; // as in the paper
-  RandomLinePattern lines;
-  std::vector<RgbImage> images;
-  for (std::uint32_t i = 0; i < patterns; ++i)
-    images.push_back(lines.generate(i));
-  const SimulatedRigGrabber grabber(standardScene(scene), images);
-  std::vector<TrinocularFrame::Ptr> frames;
+  const SimulatedRigGrabber grabber(standardScene(scene), drawPatterns());
+  Frames frames;
   for (const std::size_t observation : {4U, 11U})
     for (const TrinocularFrame::Ptr& frame : grabber.observe(observation))
       frames.push_back(frame);
@@ -83,75 +170,59 @@ keepGreen(CameraImage& image)
 struct WayFigures {
   std::string name;
   double bytes = 0;
-  std::vector<double> writes;
-  std::vector<double> reads;
+  std::vector<double> writes, reads;
 };
 
 void
-measure(FrameWay& way,
-        const std::vector<TrinocularFrame::Ptr>& frames,
-        WayFigures& figures)
+measure(const FrameWay& way, const Frames& frames, WayFigures& figures)
 {
-  figures.name = way.name();
+  figures.name = way.name;
   for (const TrinocularFrame::Ptr& frame : frames)
     figures.writes.push_back(measureThread([&] { way.write(*frame); }));
   way.finish();
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    std::array<CameraImage, 3> images;
+    Images images;
     figures.reads.push_back(measureThread([&] { images = way.read(i); }));
     if (!(images == frames[i]->images))
-      throw std::runtime_error(way.name() + " reads other images than it wrote");
+      throw std::runtime_error(way.name + " reads other images than it wrote");
   }
-  figures.bytes = static_cast<double>(way.bytes()) / static_cast<double>(frames.size());
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(way.folder))
+    bytes += entry.file_size();
+  figures.bytes = static_cast<double>(bytes) / static_cast<double>(frames.size());
 }
 
-std::vector<WayFigures>
-measureWays(const std::vector<TrinocularFrame::Ptr>& frames)
+void
+printWays(const std::string& name, const Frames& frames)
 {
+  constexpr double kibi = 1024;
   constexpr std::size_t rounds = 3;
   const CameraImage& image = frames.front()->image(RigCamera::Reference);
   TrinocularRig rig;
   rig.width = image.width;
   rig.height = image.height;
-  std::vector<WayFigures> figures(3);
+  std::vector<WayFigures> all(3);
   for (std::size_t round = 0; round < rounds; ++round) {
     const test::TemporaryFolder folder;
-    const auto ways = waysToKeepFrames(folder.path(""), rig);
+    const std::vector<FrameWay> ways = waysToKeepFrames(folder.path(""), rig);
     for (std::size_t i = 0; i < ways.size(); ++i)
-      measure(*ways[i], frames, figures[i]);
+      measure(ways[i], frames, all[i]);
   }
-  return figures;
-}
-
-void
-printWays(const std::string& name, const std::vector<TrinocularFrame::Ptr>& frames)
-{
-  constexpr double kibi = 1024;
-  const std::vector<WayFigures> all = measureWays(frames);
-  const double plain_write = median(all.front().writes);
-  const double plain_read = median(all.front().reads);
+  const WayFigures& plain = all.front();
   for (const WayFigures& way : all) {
-    const double write = median(way.writes);
-    const double read = median(way.reads);
-    MarkdownRow()
-        .text(name)
-        .text(way.name)
-        .number(way.bytes / kibi, 0)
-        .number(way.bytes / all.front().bytes, 2)
-        .number(milli * write, 1)
-        .text(timesOf(write, plain_write))
-        .number(milli * read, 1)
-        .text(timesOf(read, plain_read))
-        .print();
+    const double write = median(way.writes), read = median(way.reads);
+    Row() << name << way.name << figure(way.bytes / kibi, 0)
+          << figure(way.bytes / plain.bytes, 2) << figure(milli * write, 1)
+          << timesOf(write, median(plain.writes)) << figure(milli * read, 1)
+          << timesOf(read, median(plain.reads));
   }
 }
 
 /** Wall time of synchronizing each recorded frame to disk. */
 void
-printDisk(const std::string& name, const std::vector<TrinocularFrame::Ptr>& frames)
+printDisk(const std::string& name, const Frames& frames)
 {
   constexpr std::size_t rounds = 5;
-  constexpr double maximum = 0.9; // quantile over all frames
   std::vector<double> waits;
   for (std::size_t round = 0; round < rounds; ++round) {
     const test::TemporaryFolder folder;
@@ -161,18 +232,15 @@ printDisk(const std::string& name, const std::vector<TrinocularFrame::Ptr>& fram
       waits.push_back(measureCost([&] { syncToDisk(path); }).wall);
     }
   }
-  MarkdownRow()
-      .text(name)
-      .number(milli * median(waits), 1)
-      .number(milli * quantile(waits, maximum), 1)
-      .print();
+  Row() << name << figure(milli * median(waits), 1)
+        << figure(milli * quantile(waits, 0.9), 1);
 }
 
 template <typename Print>
 void
 printScene(const std::string& scene, const Print& print)
 {
-  const std::vector<TrinocularFrame::Ptr> frames = film(scene);
+  const Frames frames = film(scene);
   print(scene + ", colour", frames);
   for (const TrinocularFrame::Ptr& frame : frames)
     for (CameraImage& image : frame->images)
@@ -180,52 +248,28 @@ printScene(const std::string& scene, const Print& print)
   print(scene + ", grey", frames);
 }
 
-void
-printAllPatterns()
-{
-  printHead({"1000 patterns",
-             "drawn again",
-             "redraws of one, at most",
-             "none good",
-             "coverage",
-             "a pattern, ms"});
-  constexpr double min_angle = 0.2618; // 15 degrees
+const Section patterns("patterns", [] {
+  printHead("1000 patterns | drawn again | redraws of one, at most | none good | "
+            "coverage | a pattern, ms");
   printPatterns("as they are", [](RandomLinePattern&) {});
   printPatterns("grey", [](RandomLinePattern& lines) { lines.setColored(false); });
   printPatterns("minimum angle 15°",
-                [](RandomLinePattern& lines) { lines.setMinimumAngle(min_angle); });
+                [](RandomLinePattern& lines) { lines.setMinimumAngle(0.2618); });
   printPatterns("60 lines",
                 [](RandomLinePattern& lines) { lines.setNumberOfLines(60); });
-}
+});
+
+const Section session("session", [] {
+  printHead("frames | kept as | KiB a frame | of the values | write, CPU ms | of "
+            "plain | read, CPU ms | of plain");
+  for (const char* const scene : {"corridor", "office"})
+    printScene(scene, printWays);
+});
+
+const Section disk("disk", [] {
+  printHead("frames | waiting for the disk, ms | nine in ten within, ms");
+  printScene("corridor", printDisk);
+});
 
 } // namespace
 } // namespace pcl::acmap::bench
-
-int
-main(int argc, char** argv)
-{
-  using namespace pcl::acmap::bench;
-  Sections sections;
-  if (const auto exit_code =
-          Sections::read(argc, argv, {"patterns", "session", "disk"}, usage, sections))
-    return *exit_code;
-  if (sections.isWanted("patterns"))
-    printAllPatterns();
-  if (sections.isWanted("session")) {
-    printHead({"frames",
-               "kept as",
-               "KiB a frame",
-               "of the values",
-               "write, CPU ms",
-               "of plain",
-               "read, CPU ms",
-               "of plain"});
-    for (const char* const scene : {"corridor", "office"})
-      printScene(scene, printWays);
-  }
-  if (sections.isWanted("disk")) {
-    printHead({"frames", "waiting for the disk, ms", "nine in ten within, ms"});
-    printScene("corridor", printDisk);
-  }
-  return 0;
-}

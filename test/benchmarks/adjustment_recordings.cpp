@@ -1,12 +1,7 @@
 #include "adjustment_runs.h"
-#include "adjustment_tables.h"
-#include "chain_agreement.h"
-#include "markdown_row.h"
-#include "packed_cloud.h"
-#include "statistics.h"
-#include "test_data.h"
-#include "timing.h"
-#include "units.h"
+#include "bench.h"
+#include "bench_data.h"
+#include "chain_runs.h"
 
 #include <pcl/core/impl/moments.h>
 #include <pcl/core/trajectory.h>
@@ -16,8 +11,6 @@
 #include <pcl/pipeline/visual_odometry.h>
 #include <pcl/search/kdtree.h>
 
-#include <cmath>
-#include <iostream>
 #include <utility>
 
 namespace pcl::acmap::bench {
@@ -58,13 +51,13 @@ printKitchenRow(const std::string& name,
                 const Poses& found)
 {
   const std::vector<ChainView> views = viewsOf(sequence, places, given, found);
-  MarkdownRow row;
-  row.text(name);
+  Row row;
+  row << name;
   for (const std::size_t step : {1, 5, 10, 30}) {
     const SurfaceAgreement surfaces = compareSurfaces(views, step, &ChainView::found);
-    row.number(milli * surfaces.median, 1).number(milli * surfaces.maximum, 1);
+    row << figure(milli * surfaces.median, 1) << figure(milli * surfaces.maximum, 1);
   }
-  row.number(centi * absoluteTrajectoryError(found, given).aligned, 2).print();
+  row << figure(centi * absoluteTrajectoryError(found, given).aligned, 2);
 }
 
 /** A part of the scans of the carried laser. */
@@ -80,12 +73,12 @@ loadScans(const std::string& folder)
   constexpr std::size_t every = 5;
   std::pair<LaserScans, LaserScans> scans; // used, held out
   const Trajectory trajectory =
-      loadTrajectory(test::testDataPath(folder + "/trajectory.txt").string());
+      loadTrajectory(pathOfData(folder + "/trajectory.txt").value());
   for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
     const std::string number = std::to_string(i);
     const std::string name =
         folder + "/scan_" + std::string(3 - number.size(), '0') + number + ".ply.xz";
-    const PointCloudFile file = loadMaybePacked(test::testDataPath(name).string());
+    const PointCloudFile file = loadMaybePacked(pathOfData(name).value());
     const auto cloud = std::make_shared<PointCloud<PointXYZ>>();
     const PointView points = file.points();
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -153,18 +146,11 @@ distancesFromMap(const PointCloud<PointXYZ>& scan,
   return distances;
 }
 
-} // namespace
-
-void
-printAdjustedKitchen()
-{
-  const std::string folder = "C_sequence/redkitchen_000_495";
-  if (!test::hasTestData(folder + "/frame-000000.pose.txt")) {
-    std::cout << "\nkitchen: left out, no " << folder << "\n";
+const Section kitchen_section("kitchen", [] {
+  const auto folder = pathOfKitchen();
+  if (!folder)
     return;
-  }
-  std::cout << "\n### A hand-held depth camera\n";
-  const RgbdSequence recorded = openRgbdSequence(test::testDataPath(folder).string());
+  const RgbdSequence recorded = openRgbdSequence(*folder);
   const ObservationSequence sequence(recorded, recorded.cameras());
   VisualOdometry odometry;
   VisualOdometry::Egomotion egomotion = odometry.getEgomotion();
@@ -178,16 +164,8 @@ printAdjustedKitchen()
   Poses given;
   for (const std::size_t place : estimated.places)
     given.push_back(sequence.load(place).T_map_camera);
-  printHead({"poses",
-             "views 1 apart, median, mm",
-             "90 %",
-             "5 apart",
-             "90 %",
-             "10 apart",
-             "90 %",
-             "30 apart",
-             "90 %",
-             "ATE aligned, cm"});
+  printHead("poses | views 1 apart, median, mm | 90 % | 5 apart | 90 % | 10 apart | 90 "
+            "% | 30 apart | 90 % | ATE aligned, cm");
   printKitchenRow(
       "egomotion", sequence, estimated.places, given, estimated.trajectory.poses);
   SequenceAdjustment adjustment;
@@ -208,18 +186,13 @@ printAdjustedKitchen()
             << report.odometry_factors[1] << ", floor at 2 m " << milli * report.floor
             << " mm, noise at 2 m " << milli * report.noise_factor << " mm; "
             << cost.cpu << " s CPU\n";
-}
+});
 
-void
-printAdjustedScans()
-{
+const Section livox_section("livox", [] {
   constexpr double max_ratio = 0.7;
   const std::string folder = "C_sequence/livox_scans_60";
-  if (!test::hasTestData(folder + "/trajectory.txt")) {
-    std::cout << "\nlivox: left out, no " << folder << "\n";
+  if (!pathOfData(folder + "/trajectory.txt"))
     return;
-  }
-  std::cout << "\n### A carried laser scanner, every fifth scan held out\n";
   // Held-out scans are adjusted to the map that the others give: both sets of poses are
   // found in one run each, so that a held-out scan never moved what it is compared with.
   const auto [used, held_out] = loadScans(folder);
@@ -232,8 +205,7 @@ printAdjustedScans()
   Poses adjusted;
   for (std::size_t i = 0; i < used.clouds.size(); ++i)
     adjusted.push_back(adjustment.getPose(i));
-  printHead(
-      {"map", "thickness to held-out scans, rms of the best 90 %, mm", "median, mm"});
+  printHead("map | thickness to held-out scans, rms of the best 90 %, mm | median, mm");
   double thickness[2] = {};
   for (const bool is_adjusted : {false, true}) {
     const PointCloud<PointXYZ>::Ptr map(new PointCloud<PointXYZ>);
@@ -265,11 +237,9 @@ printAdjustedScans()
         ++count;
       }
     thickness[is_adjusted] = std::sqrt(squares / static_cast<double>(count));
-    MarkdownRow()
-        .text(is_adjusted ? "adjusted" : "as given")
-        .number(milli * thickness[is_adjusted], 1)
-        .number(milli * median(distances), 1)
-        .print();
+    Row() << (is_adjusted ? "adjusted" : "as given")
+          << figure(milli * thickness[is_adjusted], 1)
+          << figure(milli * median(distances), 1);
   }
   const PlaneAdjustmentReport& report = adjustment.getReport();
   std::cout << "\n"
@@ -279,6 +249,7 @@ printAdjustedScans()
             << milli * report.thickness_before << " to "
             << milli * report.thickness_after << " mm, noise at 2 m "
             << milli * report.noise_factor << " mm; " << cost.cpu << " s CPU\n";
-}
+});
 
+} // namespace
 } // namespace pcl::acmap::bench

@@ -1,19 +1,19 @@
 #include "adjustment_runs.h"
 
-#include "timing.h"
+#include "bench.h"
 
 #include <pcl/core/random.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/simulation/simulated_observation.h>
 
-#include <algorithm>
-#include <cmath>
+#include <cstdlib>
+#include <numeric>
 
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr double turn_of_view = 0.2 * M_PI / 180; // radians
+constexpr double turn_of_view = 0.2 * degree; // radians
 constexpr double length_share = 0.01;
 
 OdometryNoise
@@ -61,7 +61,7 @@ driftedFreely(const std::vector<Eigen::Isometry3d>& truth,
               const FreeDrift& drift,
               std::uint64_t seed)
 {
-  constexpr double degree = M_PI / 180, rare = 0.1, strong = 5;
+  constexpr double rare = 0.1, strong = 5;
   Random random(seed);
   std::vector<Eigen::Isometry3d> poses{truth.front()};
   for (std::size_t i = 1; i < truth.size(); ++i) {
@@ -146,6 +146,15 @@ rectifyAndAdjust(const AdjustmentScene& scene,
       100 * (lengthBetweenEnds(given) / lengthBetweenEnds(scene.truth) - 1);
   run.seconds += seconds + first.seconds;
   return run;
+}
+
+std::vector<std::uint64_t>
+driftSeeds()
+{
+  const char* const count = std::getenv("ACMAP_DRIFT_SEEDS");
+  std::vector<std::uint64_t> seeds(count ? std::strtoul(count, nullptr, 10) : 10);
+  std::iota(seeds.begin(), seeds.end(), 11);
+  return seeds;
 }
 
 std::string

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rectification_maps.h"
+#include "rectification_runs.h"
 
 #include <pcl/core/point_types.h>
 #include <pcl/egomotion/revisit_detection_types.h>
@@ -72,5 +72,10 @@ rectifyAndAdjust(const AdjustmentScene& scene,
 
 std::string
 nameOf(AdjustmentOutcome outcome);
+
+/** \brief Seeds of the drift: 11 to 20; the parameters were tuned with 1 to 6. The
+ * environment variable ACMAP_DRIFT_SEEDS is a smaller number of them. */
+std::vector<std::uint64_t>
+driftSeeds();
 
 } // namespace pcl::acmap::bench

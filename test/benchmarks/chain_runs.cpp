@@ -1,5 +1,6 @@
 #include "chain_runs.h"
 
+#include "bench.h"
 #include "run_tool.h"
 
 #include <pcl/core/impl/point_view.h>
@@ -8,17 +9,15 @@
 #include <pcl/core/trajectory.h>
 
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
-#include <sstream>
 #include <stdexcept>
 
-#include <sys/resource.h>
-
 namespace pcl::acmap::bench {
+
 namespace {
 
 /** CPU seconds of all child processes that have ended. */

@@ -1,13 +1,8 @@
-#include "consolidation_tables.h"
-
-#include "consolidated_mesh.h"
-#include "markdown_row.h"
-#include "mesh_figures.h"
-#include "statistics.h"
-
-#include <algorithm>
-#include <cmath>
-#include <iostream>
+#include "bench.h"
+#include "mesh_checker.h"
+#include "mesh_peers.h"
+#include "meshes.h"
+#include "scene_truth.h"
 
 namespace pcl::acmap::bench {
 namespace {
@@ -33,112 +28,231 @@ meshAndMeasure(const SimulatedCloud& cloud, double voxel, const SceneTruth& trut
 {
   ConsolidationReport report;
   const Consolidation consolidation = consolidate(cloud, voxel, report);
-  const TriangleMesh mesh = meshOf(consolidation, report.voxel_size);
-  return {report.voxel_size,
-          consolidation.representatives.size(),
-          mesh.triangles.size(),
-          measureMesh(truth,
-                      placesInScene(cloud, consolidation),
-                      mesh.triangles,
-                      report.voxel_size)};
+  const test::Triangles mesh = meshOf(consolidation, report.voxel_size).triangles;
+  return {
+      report.voxel_size,
+      consolidation.representatives.size(),
+      mesh.size(),
+      measureMesh(truth, placesInScene(cloud, consolidation), mesh, report.voxel_size)};
 }
 
 void
-printRow(const SimulatedCloud& cloud,
-         double voxel,
-         const SceneTruth& truth,
-         const MeshReach& reach)
+printMesh(const SimulatedCloud& cloud,
+          double voxel,
+          const SceneTruth& truth,
+          const MeshReach& reach)
 {
   const MeasuredMesh mesh = meshAndMeasure(cloud, voxel, truth);
   const MeshFigures& figures = mesh.figures;
-  MarkdownRow()
-      .text(cloud.name + ", " + voxelName(voxel))
-      .number(100 * mesh.voxel, 1)
-      .count(mesh.representatives)
-      .count(mesh.triangles)
-      .atMost(figures.normals.median_away, reach.median, 2)
-      .atMost(figures.normals.p95_away, reach.p95, 1)
-      .number(figures.normals.backs_away, 2)
-      .atMost(figures.normals.median_all, reach.median, 2)
-      .number(figures.normals.p95_all, 1)
-      .number(figures.normals.backs_all, 2)
-      .atLeast(figures.cover, reach.cover, 2)
-      .number(figures.overlap, 1)
-      .within(figures.area, reach.area, 2)
-      .atMost(figures.boundary, reach.boundary, 2)
-      .print();
+  Row() << cloud.name + ", " + voxelName(voxel) << figure(centi * mesh.voxel, 1)
+        << mesh.representatives << mesh.triangles
+        << atMost(figures.normals.median_away, reach.median, 2)
+        << atMost(figures.normals.p95_away, reach.p95, 1)
+        << figure(figures.normals.backs_away, 2)
+        << atMost(figures.normals.median_all, reach.median, 2)
+        << figure(figures.normals.p95_all, 1) << figure(figures.normals.backs_all, 2)
+        << atLeast(figures.cover, reach.cover, 2) << figure(figures.overlap, 1)
+        << within(figures.area, reach.area, 2)
+        << atMost(figures.boundary, reach.boundary, 2);
 }
 
-/** Prints one figure of many views; larger values are worse. */
-void
-printSpread(const char* name, const std::vector<double>& values, double reach)
+const Section mesh_section("mesh", [] {
+  printHead("cloud, voxel | cm | representatives | triangles | face normals away from "
+            "creases, median ° | p95 ° | backs % | all faces, median ° | p95 ° | backs "
+            "% | cover % | covered twice % | area % | boundary edges %");
+  for (const std::size_t view : {0, 40, 53})
+    printMesh(makeViewCloud(corridor().scene(), view),
+              0,
+              corridor().truthOfView(view),
+              view_reach);
+  const SimulatedCloud& whole = corridor().whole();
+  const SceneTruth& truth = corridor().wholeTruth();
+  for (const std::size_t size : {100000, 1000000})
+    printMesh(makeRandomPart(whole, size, size), 0, truth, sparse_reach);
+  for (const double voxel : {0.05, 0.0})
+    printMesh(whole, voxel, truth, whole_reach);
+});
+
+const Section every_view_section("mesh", [] {
+  std::vector<MeshFigures> views;
+  for (std::size_t view = 0; view < corridor().scene().views.size(); ++view)
+    views.push_back(meshAndMeasure(makeViewCloud(corridor().scene(), view),
+                                   0,
+                                   corridor().truthOfView(view))
+                        .figures);
+  // larger values are worse
+  const auto print = [&](const char* name, double reach, const auto& property) {
+    const std::vector<double> values = valuesOf(views, property);
+    Row() << name << figure(median(values), 2) << atMost(largest(values), reach, 2)
+          << std::count_if(
+                 values.begin(), values.end(), [&](double v) { return !(v <= reach); });
+  };
+  using Figures = const MeshFigures&;
+  printHead("figure | median view | worst view | views that miss");
+  print("all faces, median °", view_reach.median, [](Figures view) {
+    return view.normals.median_all;
+  });
+  print("faces away from creases, p95 °", view_reach.p95, [](Figures view) {
+    return view.normals.p95_away;
+  });
+  print("not covered %", 100 - view_reach.cover, [](Figures view) {
+    return 100 - view.cover;
+  });
+  print("area, off by %", view_reach.area, [](Figures view) {
+    return std::abs(view.area);
+  });
+  print("boundary edges %", view_reach.boundary, [](Figures view) {
+    return view.boundary;
+  });
+});
+
+/** \return the edge length of a voxel */
+double
+printOurNormals(const SimulatedCloud& cloud, double voxel, const SceneTruth& truth)
 {
-  const auto missed = std::count_if(
-      values.begin(), values.end(), [reach](double v) { return !(v <= reach); });
-  MarkdownRow()
-      .text(name)
-      .number(median(values), 2)
-      .atMost(quantile(values, 1), reach, 2)
-      .count(static_cast<std::size_t>(missed))
-      .print();
+  ConsolidationReport report;
+  Consolidation consolidation;
+  const double seconds =
+      measureThread([&] { consolidation = consolidate(cloud, voxel, report); });
+  Row row;
+  row << cloud.name + ", representatives, " + voxelName(voxel);
+  addErrors(measureNormals(truth,
+                           placesInScene(cloud, consolidation),
+                           normalsInScene(cloud, consolidation),
+                           report.voxel_size),
+            row,
+            1,
+            6);
+  row << figure(1e6 * seconds / static_cast<double>(cloud.size()), 3);
+  return report.voxel_size;
 }
 
-void
-printEveryView(const SceneData& corridor)
-{
-  std::vector<double> medians, p95s, uncovered, areas, boundaries;
-  for (std::size_t view = 0; view < corridor.scene().views.size(); ++view) {
-    const MeshFigures figures = meshAndMeasure(makeViewCloud(corridor.scene(), view),
-                                               0,
-                                               corridor.truthOfView(view))
-                                    .figures;
-    medians.push_back(figures.normals.median_all);
-    p95s.push_back(figures.normals.p95_away);
-    uncovered.push_back(100 - figures.cover);
-    areas.push_back(std::abs(figures.area));
-    boundaries.push_back(figures.boundary);
+const Section normals_section("normals", [] {
+  printHead("cloud, normals | away from creases, median ° | p95 ° | backs % | all, "
+            "median ° | p95 ° | backs % | CPU us a point");
+  const SceneTruth truth(corridor().scene());
+  for (const std::size_t view : {0, 40, 53}) {
+    const SimulatedCloud cloud = makeViewCloud(corridor().scene(), view);
+    const double voxel = printOurNormals(cloud, 0, truth);
+    if (view == 0)
+      for (const PeerNormals& peer : peerNormals(cloud)) {
+        Row row;
+        row << cloud.name + ", " + peer.name;
+        addErrors(measureNormals(truth, peer.places, peer.normals, voxel), row);
+        row << figure(1e6 * peer.seconds / static_cast<double>(cloud.size()), 3);
+      }
   }
-  std::cout << "\nEach of the " << medians.size() << " views alone, automatic voxel:\n";
-  printHead({"figure", "median view", "worst view", "views that miss"});
-  printSpread("all faces, median °", medians, view_reach.median);
-  printSpread("faces away from creases, p95 °", p95s, view_reach.p95);
-  printSpread("not covered %", uncovered, 100 - view_reach.cover);
-  printSpread("area, off by %", areas, view_reach.area);
-  printSpread("boundary edges %", boundaries, view_reach.boundary);
+  for (const double voxel : {0.05, 0.0})
+    printOurNormals(corridor().whole(), voxel, truth);
+});
+
+using Raster = std::vector<std::uint8_t>;
+
+bool
+isClear(const SceneTruth& truth,
+        const TruthSurface& surface,
+        const Eigen::Vector3d& point,
+        double voxel)
+{
+  return truth.distanceToOthers(point, surface, false) > creaseMargin(voxel);
 }
+
+/** Representatives belong to the nearest surface; each one covers the area within a voxel
+ * along the surface if its distance to the surface is at most 3 cm. Judged are those of
+ * one plane, except near other planes that are not parallel to it. */
+void
+printSheet(const SceneTruth& truth,
+           std::int32_t plane,
+           const test::Points& places,
+           const test::Points& normals,
+           double voxel,
+           Row& row)
+{
+  constexpr double near = 0.03, depth_reach = 5,
+                   cover_reach = 97; // metres, mm, percent
+  const std::vector<TruthSurface>& surfaces = truth.surfaces();
+  std::vector<Raster> rasters;
+  for (const TruthSurface& surface : surfaces)
+    rasters.emplace_back(surface.plane == plane ? surface.visible.size() : 0, 0);
+  std::size_t turned = 0;
+  std::vector<double> depth_errors, shifts;
+  for (std::size_t r = 0; r < places.size(); ++r) {
+    const TruthSurface& surface = truth.nearest(places[r]);
+    if (surface.plane != plane)
+      continue;
+    const Eigen::Vector3d place = surface.coordinates(places[r]);
+    const bool is_turned = !(normals[r].dot(surface.normal) > 0);
+    Raster& raster = rasters[static_cast<std::size_t>(&surface - surfaces.data())];
+    if (!is_turned && std::abs(place[2]) <= near)
+      surface.visitCells(place, voxel, [&](int i, int j) {
+        const Eigen::Vector3d off = surface.cellCenter(i, j) - places[r];
+        if (std::hypot(off.dot(surface.unit_u), off.dot(surface.unit_v)) <= voxel)
+          raster[surface.cellIndex(i, j)] = 1;
+      });
+    if (!isClear(truth, surface, places[r], voxel))
+      continue;
+    depth_errors.push_back(std::abs(place[2]));
+    shifts.push_back(place[2]);
+    turned += is_turned;
+  }
+  std::size_t visible = 0, covered = 0;
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+    if (surfaces[s].plane == plane)
+      for (int i = 0; i < surfaces[s].cells[0]; ++i)
+        for (int j = 0; j < surfaces[s].cells[1]; ++j) {
+          const std::size_t cell = surfaces[s].cellIndex(i, j);
+          if (!surfaces[s].visible[cell] ||
+              !isClear(truth, surfaces[s], surfaces[s].cellCenter(i, j), voxel))
+            continue;
+          ++visible;
+          covered += rasters[s][cell];
+        }
+  row << shifts.size() << atLeast(percent(covered, visible), cover_reach, 1)
+      << atMost(milli * meanOf(depth_errors), depth_reach, 2)
+      << figure(milli * quantile(depth_errors, 0.95), 1)
+      << within(milli * meanOf(shifts), depth_reach, 2)
+      << figure(percent(turned, shifts.size()), 2);
+}
+
+std::int32_t
+planeNamed(const SimulatedScene& scene, const std::string& name)
+{
+  const auto& planes = scene.geometry.planes();
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (planes[i].name == name)
+      return static_cast<std::int32_t>(i);
+  throw BadArgumentException("scene '" + scene.name + "' has no plane '" + name + "'");
+}
+
+void
+printRows(SceneData& data, const std::vector<std::string>& planes)
+{
+  for (const double voxel : {0.04, 0.05, 0.07, 0.0}) {
+    ConsolidationReport report;
+    const SimulatedCloud& cloud = data.whole();
+    const Consolidation consolidation = consolidate(cloud, voxel, report);
+    const test::Points places = placesInScene(cloud, consolidation);
+    const test::Points normals = normalsInScene(cloud, consolidation);
+    for (const std::string& plane : planes) {
+      Row row;
+      row << plane << voxelName(voxel) << figure(centi * report.voxel_size, 1);
+      printSheet(data.wholeTruth(),
+                 planeNamed(data.scene(), plane),
+                 places,
+                 normals,
+                 report.voxel_size,
+                 row);
+    }
+  }
+}
+
+const Section sheets_section("sheets", [] {
+  printHead("sheet | voxel | cm | representatives | kept: covered % | depth error, "
+            "mean mm | p95 mm | shift, mm | turned %");
+  SceneData office("office");
+  printRows(office, {"partition left", "partition right"});
+  printRows(corridor(), {"doors left", "left wall", "doors right", "right wall"});
+});
 
 } // namespace
-
-void
-printMesh(SceneData& corridor)
-{
-  std::cout << "\n### Meshes of consolidated clouds\n";
-  printHead({"cloud, voxel",
-             "cm",
-             "representatives",
-             "triangles",
-             "face normals away from creases, median °",
-             "p95 °",
-             "backs %",
-             "all faces, median °",
-             "p95 °",
-             "backs %",
-             "cover %",
-             "covered twice %",
-             "area %",
-             "boundary edges %"});
-  for (const std::size_t view : {0, 40, 53})
-    printRow(makeViewCloud(corridor.scene(), view),
-             0,
-             corridor.truthOfView(view),
-             view_reach);
-  const SimulatedCloud& whole = corridor.whole();
-  const SceneTruth& truth = corridor.wholeTruth();
-  for (const std::size_t size : {100000, 1000000})
-    printRow(makeRandomPart(whole, size, size), 0, truth, sparse_reach);
-  for (const double voxel : {0.05, 0.0})
-    printRow(whole, voxel, truth, whole_reach);
-  printEveryView(corridor);
-}
-
 } // namespace pcl::acmap::bench

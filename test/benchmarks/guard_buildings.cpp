@@ -1,12 +1,158 @@
 #include "guard_buildings.h"
 
-#include "free_space.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace pcl::acmap::bench {
 namespace {
+
+/** \brief The floor of a building as a union of rectangles along the axes; its walls are
+ * the outline of the union. */
+class FreeSpace {
+public:
+  /** \brief Adds a rectangle between two opposite corners, metres. */
+  void
+  add(double x0, double z0, double x1, double z1);
+
+  /** \brief Adds a rectangle about a line along one of the axes. */
+  void
+  addAround(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double half_width);
+
+  std::vector<BuildingWall>
+  outline() const;
+
+private:
+  struct Rectangle {
+    double low[2], high[2];
+  };
+
+  /** Adds the walls perpendicular to an axis. */
+  void
+  addOutline(int axis, std::vector<BuildingWall>& walls) const;
+
+  std::vector<double>
+  limitsAlong(int axis) const;
+
+  bool
+  contains(const Eigen::Vector2d& place) const;
+
+  std::vector<Rectangle> rectangles_;
+};
+
+void
+FreeSpace::add(double x0, double z0, double x1, double z1)
+{
+  rectangles_.push_back(
+      {{std::min(x0, x1), std::min(z0, z1)}, {std::max(x0, x1), std::max(z0, z1)}});
+}
+
+void
+FreeSpace::addAround(const Eigen::Vector2d& from,
+                     const Eigen::Vector2d& to,
+                     double half_width)
+{
+  const Eigen::Vector2d margin(half_width, half_width);
+  const Eigen::Vector2d low = from.cwiseMin(to) - margin;
+  const Eigen::Vector2d high = from.cwiseMax(to) + margin;
+  add(low[0], low[1], high[0], high[1]);
+}
+
+std::vector<double>
+FreeSpace::limitsAlong(int axis) const
+{
+  std::vector<double> limits;
+  for (const Rectangle& one : rectangles_) {
+    limits.push_back(one.low[axis]);
+    limits.push_back(one.high[axis]);
+  }
+  std::sort(limits.begin(), limits.end());
+  limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
+  return limits;
+}
+
+bool
+FreeSpace::contains(const Eigen::Vector2d& place) const
+{
+  return std::any_of(rectangles_.begin(), rectangles_.end(), [&](const Rectangle& one) {
+    return place[0] > one.low[0] && place[0] < one.high[0] && place[1] > one.low[1] &&
+           place[1] < one.high[1];
+  });
+}
+
+void
+FreeSpace::addOutline(int axis, std::vector<BuildingWall>& walls) const
+{
+  const std::vector<double> across = limitsAlong(axis);
+  const std::vector<double> along = limitsAlong(1 - axis);
+  constexpr double aside = 1e-4; // metres
+  for (const double at : across) {
+    bool continues = false;
+    for (std::size_t i = 1; i < along.size(); ++i) {
+      Eigen::Vector2d place;
+      place[1 - axis] = (along[i - 1] + along[i]) / 2;
+      place[axis] = at - aside;
+      const bool before = contains(place);
+      place[axis] = at + aside;
+      const bool is_wall = before != contains(place);
+      if (is_wall && continues)
+        walls.back().to[1 - axis] = along[i];
+      else if (is_wall) {
+        BuildingWall wall;
+        wall.from[axis] = wall.to[axis] = at;
+        wall.from[1 - axis] = along[i - 1];
+        wall.to[1 - axis] = along[i];
+        walls.push_back(wall);
+      }
+      continues = is_wall;
+    }
+  }
+}
+
+std::vector<BuildingWall>
+FreeSpace::outline() const
+{
+  std::vector<BuildingWall> walls;
+  addOutline(0, walls);
+  addOutline(1, walls);
+  return walls;
+}
+
+/** Adds walls between consecutive corners. */
+void
+addWallsThrough(const std::vector<Eigen::Vector2d>& corners,
+                std::vector<BuildingWall>& walls)
+{
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    walls.push_back({corners[i - 1], corners[i]});
+}
+
+/** Poses through corners, facing in the direction of motion; the robot turns in place, at
+ * most 0.7 rad from scan to scan. \param[in] step metres */
+std::vector<PlanarPose>
+drive(const std::vector<Eigen::Vector2d>& corners, double step)
+{
+  constexpr double turn = 0.7; // radians
+  std::vector<PlanarPose> path;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const Eigen::Vector2d leg = corners[i] - corners[i - 1];
+    if (leg.norm() < 1e-6)
+      continue;
+    const double heading = std::atan2(leg[0], leg[1]);
+    if (!path.empty()) {
+      const double left = std::remainder(heading - path.back().theta, 2 * M_PI);
+      const int turns = static_cast<int>(std::abs(left) / turn);
+      const PlanarPose last = path.back();
+      for (int k = 1; k <= turns; ++k)
+        path.push_back({last.x, last.z, last.theta + left * k / (turns + 1)});
+    }
+    const int steps = std::max(1, static_cast<int>(std::lround(leg.norm() / step)));
+    for (int k = path.empty() ? 0 : 1; k <= steps; ++k) {
+      const Eigen::Vector2d place = corners[i - 1] + leg * k / steps;
+      path.push_back({place[0], place[1], heading});
+    }
+  }
+  return path;
+}
 
 using Corners = std::vector<Eigen::Vector2d>;
 
@@ -27,6 +173,12 @@ reachOf(Random& random)
 {
   constexpr double reaches[] = {8, 12, 20, 30};
   return reaches[wholeBetween(random, 0, 3)];
+}
+
+Building
+buildingOf(const FreeSpace& space, std::vector<PlanarPose> path, Random& random)
+{
+  return {space.outline(), std::move(path), reachOf(random)};
 }
 
 /** A room beside a corridor. */
@@ -118,11 +270,11 @@ makeOffices(Random& random)
   addRooms(corridor, 2.6, 5, random);
   FreeSpace space;
   corridor.addTo(space);
-  Building building;
-  building.path = drive(tourOf(corridor, wholeBetween(random, 3, 5), random),
-                        random.uniform(.6, .9));
-  building.walls = space.outline();
-  building.reach = reachOf(random);
+  Building building =
+      buildingOf(space,
+                 drive(tourOf(corridor, wholeBetween(random, 3, 5), random),
+                       random.uniform(.6, .9)),
+                 random);
   addFurniture(building, wholeBetween(random, 2, 12), false, random);
   return building;
 }
@@ -165,11 +317,7 @@ corridorsOf(const std::vector<Corners>& lines,
       space.addAround(line[i - 1], line[i], half_width);
       addNiches(space, line[i - 1], line[i], half_width, niches, random);
     }
-  Building building;
-  building.walls = space.outline();
-  building.path = drive(way, random.uniform(0.6, 0.9));
-  building.reach = reachOf(random);
-  return building;
+  return buildingOf(space, drive(way, random.uniform(0.6, 0.9)), random);
 }
 
 Building
@@ -197,12 +345,10 @@ makeAlikeRooms(Random& random)
     }
   FreeSpace space;
   corridor.addTo(space);
-  Building building;
-  building.walls = space.outline();
-  building.path = drive(tourOf(corridor, wholeBetween(random, 3, 5), random),
-                        random.uniform(.6, .9));
-  building.reach = reachOf(random);
-  return building;
+  return buildingOf(space,
+                    drive(tourOf(corridor, wholeBetween(random, 3, 5), random),
+                          random.uniform(.6, .9)),
+                    random);
 }
 
 /** Corridors in the shape of an L, a T or an H. */
@@ -305,10 +451,8 @@ Building
 makeFlat(Random& random)
 {
   const Flat flat(2.4, 3.8, random);
-  Building building;
-  building.walls = flat.space.outline();
-  building.path = drive(flat.way, random.uniform(0.8, 1.1));
-  building.reach = reachOf(random);
+  Building building =
+      buildingOf(flat.space, drive(flat.way, random.uniform(0.8, 1.1)), random);
   addFurniture(building, wholeBetween(random, 10, 25), false, random);
   return building;
 }
@@ -480,11 +624,7 @@ makeWings(Random& random)
     way.emplace_back(i * pitch, 0);
   }
   way.emplace_back(0, 0);
-  Building building;
-  building.walls = space.outline();
-  building.path = drive(way, random.uniform(0.8, 1.1));
-  building.reach = reachOf(random);
-  return building;
+  return buildingOf(space, drive(way, random.uniform(0.8, 1.1)), random);
 }
 
 /** Rooms that are visited twice, with other furniture at the second time. */

@@ -1,230 +1,317 @@
+#include "bench.h"
 #include "guard_buildings.h"
-#include "guard_runs.h"
-#include "markdown_row.h"
-#include "statistics.h"
+#include "rectification_runs.h"
 
-#include <algorithm>
+#include <pcl/core/planar_scan.h>
+
+#include <atomic>
 #include <cstdlib>
 #include <functional>
-#include <iostream>
+#include <future>
 #include <set>
-#include <sstream>
-#include <string>
 
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr char usage[] =
-    "Usage: acmap_bench_guard_figures [tuning] [held_out] [logs] [--runs N] [--jobs "
-    "N]\n"
-    "       acmap_bench_guard_figures --only KIND SEED\n"
-    "Prints how often rectification accepts a map that is worse than the given one, "
-    "as\n"
-    "Markdown tables; without a name for all groups. --runs: per kind of building or\n"
-    "log, 40; --jobs: processes, 2. Laser logs are read from the folder named by the\n"
-    "environment variable ACMAP_TEST_DATA.\n";
-
-using Results = std::vector<GuardResult>;
-
-/** The command line. */
-struct Request {
-  std::set<std::string> groups;
-  std::size_t runs = 40, jobs = 2;
-  std::string only; ///< kind of the only run
-  std::uint64_t seed = 1;
+/** What is unusual about a run. */
+enum class GuardVariant {
+  Plain,
+  ThinnedScans,   ///< every second scan, and every second beam of it
+  ShortRays,      ///< 5 m at most
+  MovedFurniture, ///< some boxes are there during one half of the recording only
+  ToldTooSmall,   ///< the odometry's noise is stated as a third of the usual one
+  ToldTooLarge,   ///< as three times the usual one
+  HeavyTails,     ///< one action in ten has four times the noise
+  Bias            ///< turns are biased by four times as much, and lengths by 3 %
 };
 
-bool
-readRequest(int argc, char** argv, Request& request)
+/** A planar laser over 180 degrees. */
+struct Laser {
+  int beams = 180;
+  double reach = 20;           ///< metres
+  double noise = 0.01;         ///< metres, along a beam
+  double lost = 0.01;          ///< share of the beams without an echo
+  double through_glass = 0.85; ///< share of the beams that pass
+};
+
+/** Range of the nearest wall along a beam, metres; infinite if there is none. */
+double
+rangeOf(const std::vector<BuildingWall>& walls,
+        const PlanarPose& from,
+        double angle,
+        const Laser& laser,
+        Random& random)
 {
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "tuning" || word == "held_out" || word == "logs")
-      request.groups.insert(word);
-    else if (word == "--runs" && i + 1 < argc)
-      request.runs = std::strtoul(argv[++i], nullptr, 10);
-    else if (word == "--jobs" && i + 1 < argc)
-      request.jobs = std::max(1UL, std::strtoul(argv[++i], nullptr, 10));
-    else if (word == "--only" && i + 2 < argc) {
-      request.only = argv[++i];
-      request.seed = std::strtoull(argv[++i], nullptr, 10);
-    }
-    else
-      return false;
+  const double way_x = std::sin(angle), way_z = std::cos(angle);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const BuildingWall& wall : walls) {
+    const double* const a = wall.from.data();
+    const double* const b = wall.to.data();
+    const double along_x = b[0] - a[0], along_z = b[1] - a[1];
+    const double x = a[0] - from.x, z = a[1] - from.z;
+    const double slope = way_x * along_z - way_z * along_x;
+    const double range = (x * along_z - z * along_x) / slope;
+    const double share = (x * way_z - z * way_x) / slope;
+    if (range > 0 && share >= 0 && share <= 1 && range < nearest &&
+        !(wall.is_glass && random.uniform() < laser.through_glass))
+      nearest = range;
   }
-  return true;
+  return nearest;
 }
 
-std::vector<std::string>
-kindsOf(const std::string& group)
+std::vector<BuildingWall>
+wallsDuring(const Building& building, WallTime half)
 {
-  std::vector<std::string> names;
-  if (group == "logs")
-    for (const RectificationMap& log : makeLogMaps())
-      names.push_back(log.name);
-  else
-    for (const BuildingKind& kind : buildingKinds())
-      if (kind.is_held_out == (group == "held_out"))
-        names.push_back(kind.name);
-  return names;
+  std::vector<BuildingWall> walls;
+  for (const BuildingWall& wall : building.walls)
+    if (wall.time == WallTime::Always || wall.time == half)
+      walls.push_back(wall);
+  return walls;
+}
+
+PlanarScan
+scanFrom(const std::vector<BuildingWall>& walls,
+         const PlanarPose& pose,
+         const Laser& laser,
+         Random& random)
+{
+  PlanarScan scan;
+  scan.angle_step = M_PI / laser.beams;
+  scan.first_angle = -M_PI / 2 + scan.angle_step / 2;
+  scan.maximum_range = static_cast<float>(laser.reach);
+  for (int i = 0; i < laser.beams; ++i) {
+    const double angle = pose.theta + scan.first_angle + i * scan.angle_step;
+    double range =
+        rangeOf(walls, pose, angle, laser, random) + laser.noise * random.normal();
+    if (random.uniform() < laser.lost || !(range < laser.reach))
+      range = laser.reach + 1;
+    scan.ranges.push_back(static_cast<float>(range));
+  }
+  return scan;
+}
+
+RectificationMap
+scanBuilding(const Building& building, const Laser& laser, Random& random)
+{
+  RectificationMap map;
+  const std::vector<BuildingWall> walls[2] = {
+      wallsDuring(building, WallTime::FirstHalf),
+      wallsDuring(building, WallTime::SecondHalf)};
+  const std::size_t poses = building.path.size();
+  for (std::size_t i = 0; i < poses; ++i)
+    map.add(scanFrom(walls[2 * i < poses ? 0 : 1], building.path[i], laser, random),
+            building.path[i]);
+  return map;
+}
+
+/** Keeps every Nth scan, and of them the points for which \a keeps (point, number). */
+template <typename Keeps>
+RectificationMap
+thinned(const RectificationMap& map, std::size_t every, const Keeps& keeps)
+{
+  RectificationMap thin;
+  for (std::size_t i = 0; i < map.clouds.size(); i += every) {
+    thin.truth.push_back(map.truth[i]);
+    thin.clouds.emplace_back(new PointCloud<PointNormal>);
+    std::vector<float>& weights = thin.weights.emplace_back();
+    for (std::size_t p = 0; p < map.clouds[i]->size(); ++p)
+      if (keeps((*map.clouds[i])[p], p)) {
+        thin.clouds.back()->push_back((*map.clouds[i])[p]);
+        weights.push_back(map.weights[i][p]);
+      }
+  }
+  return thin;
+}
+
+const std::vector<RectificationMap>&
+logs()
+{
+  static const std::vector<RectificationMap> maps = makeLogMaps();
+  return maps;
+}
+
+/** \param[in] kind of a building, or the name of a log */
+RectificationMap
+mapOf(const std::string& kind, GuardVariant variant, Random& random)
+{
+  for (const BuildingKind& of_building : buildingKinds())
+    if (of_building.name == kind) {
+      Building building = of_building.make(random);
+      if (variant == GuardVariant::MovedFurniture)
+        addFurniture(building, 20, true, random);
+      Laser laser;
+      laser.reach = building.reach;
+      return scanBuilding(building, laser, random);
+    }
+  return *std::find_if(
+      logs().begin(), logs().end(), [&](auto& log) { return log.name == kind; });
+}
+
+/** A map with wrong poses, of which the guard judged the rectification. */
+struct GuardRun {
+  std::string kind; ///< of the building, or the name of a log
+  std::uint64_t seed = 1;
+  double level = 1; ///< factor of the usual drift
+  RectificationRun run;
+
+  /** Is the map worse than before? Errors below half a bin, 0.05 m, are within the
+   * accuracy of any map made of such bins: a map with less is as good as another.
+   * \param[in] factor by which the error has to grow */
+  bool
+  isWorse(double factor = 1) const
+  {
+    constexpr double half_bin = 0.05; // metres
+    return run.after.unaligned > factor * run.before.unaligned &&
+           run.after.unaligned > half_bin;
+  }
+};
+
+/** Makes and rectifies one map. Drift and variant follow from the seed: forty successive
+ * seeds have each combination of five levels and eight variants. */
+void
+runCase(GuardRun& made)
+{
+  constexpr double levels[] = {0.5, 1, 2, 4, 8};
+  made.level = levels[made.seed % 5];
+  const auto variant = static_cast<GuardVariant>(made.seed / 5 % 8);
+  std::uint64_t code = made.seed;
+  for (const char letter : made.kind)
+    code = 31 * code + static_cast<unsigned char>(letter);
+  Random random(code);
+  RectificationMap map = mapOf(made.kind, variant, random);
+  if (variant == GuardVariant::ThinnedScans)
+    map = thinned(map, 2, [](auto&, std::size_t p) { return p % 2 == 0; });
+  if (variant == GuardVariant::ShortRays)
+    map = thinned(
+        map, 1, [](auto& point, auto) { return point.getVector3fMap().norm() < 5; });
+  DriftModel drift = robotDrift(made.level);
+  const bool is_biased = variant == GuardVariant::Bias;
+  const double sign = random.uniform() < 0.5 ? -1 : 1;
+  drift.is_heavy_tailed = variant == GuardVariant::HeavyTails;
+  drift.turn_bias *= (is_biased ? 4 : 1) * sign;
+  drift.length_scale = is_biased ? 1 + 0.03 * made.level * sign : 1;
+  const double told = variant == GuardVariant::ToldTooSmall   ? 1.0 / 3
+                      : variant == GuardVariant::ToldTooLarge ? 3.0
+                                                              : 1.0;
+  made.run = rectifyMap(
+      map, drifted(map.truth, drift, random), [&](Rectification& rectification) {
+        rectification.setOdometryNoise(timesNoise(told));
+      });
+}
+
+using GuardRuns = std::vector<GuardRun>;
+
+/** Runs each kind with some seeds, two runs at a time. */
+GuardRuns
+runKinds(const std::vector<std::string>& kinds)
+{
+  const char* const told = std::getenv("ACMAP_GUARD_RUNS");
+  const std::uint64_t last_seed = told ? std::strtoull(told, nullptr, 10) : 40;
+  GuardRuns runs;
+  for (std::uint64_t seed = 1; seed <= last_seed; ++seed)
+    for (const std::string& kind : kinds)
+      runs.push_back({kind, seed, 1, {}});
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < runs.size(); i = next++)
+      runCase(runs[i]);
+  };
+  const auto other = std::async(std::launch::async, work);
+  work();
+  return runs;
 }
 
 std::size_t
-countOf(const Results& results, const std::function<bool(const GuardResult&)>& is)
+countOf(const GuardRuns& runs, const std::function<bool(const GuardRun&)>& is)
 {
-  return static_cast<std::size_t>(std::count_if(results.begin(), results.end(), is));
+  return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), is));
+}
+
+std::size_t
+countOf(const GuardRuns& runs, RectificationOutcome outcome)
+{
+  return countOf(runs, [=](auto& one) { return one.run.report.outcome == outcome; });
 }
 
 void
-printResults(const std::string& name, const Results& results)
+printRuns(const std::string& name, const GuardRuns& runs)
 {
-  std::vector<double> ratios, accepted, seconds;
-  const auto wasAccepted = [](const GuardResult& one) {
-    return one.outcome == RectificationOutcome::Rectified;
-  };
-  for (const GuardResult& one : results) {
-    ratios.push_back(one.ratio());
-    seconds.push_back(one.seconds);
-    if (wasAccepted(one))
-      accepted.push_back(one.ratio());
-  }
-  const auto refused = countOf(results, [](const GuardResult& one) {
-    return one.outcome == RectificationOutcome::Refused;
-  });
-  const auto kept = countOf(results, [](const GuardResult& one) {
-    return one.outcome == RectificationOutcome::Kept;
-  });
-  MarkdownRow()
-      .text(name)
-      .count(results.size())
-      .atMost(static_cast<double>(countOf(
-                  results, [](const GuardResult& one) { return one.isWorse(); })),
-              0,
-              0)
-      .count(countOf(results, [](const GuardResult& one) { return one.isWorse(1.05); }))
-      .count(refused)
-      .number(percent(refused, results.size()), 1)
-      .count(kept)
-      .number(median(ratios), 3)
-      .number(quantile(ratios, 0.9), 3)
-      .number(accepted.empty() ? no_reach : quantile(accepted, 1), 3)
-      .number(median(seconds), 1)
-      .number(quantile(seconds, 1), 1)
-      .print();
+  const auto ratios = valuesOf(runs, [](auto& one) { return one.run.ratio(); });
+  const auto seconds = valuesOf(runs, [](auto& one) { return one.run.seconds; });
+  std::vector<double> accepted;
+  for (const GuardRun& one : runs)
+    if (one.run.report.outcome == RectificationOutcome::Rectified)
+      accepted.push_back(one.run.ratio());
+  const std::size_t refused = countOf(runs, RectificationOutcome::Refused);
+  Row() << name << runs.size()
+        << atMost(countOf(runs, [](auto& one) { return one.isWorse(); }), 0, 0)
+        << countOf(runs, [](auto& one) { return one.isWorse(1.05); }) << refused
+        << figure(percent(refused, runs.size()), 1)
+        << countOf(runs, RectificationOutcome::Kept) << figure(median(ratios), 3)
+        << figure(quantile(ratios, 0.9), 3) << figure(largest(accepted), 3)
+        << figure(median(seconds), 1) << figure(largest(seconds), 1);
 }
 
 /** One row for each value of a property of the runs. */
-template <typename Value>
+template <typename Property>
 void
-printBy(const Results& results,
-        const std::function<Value(const GuardResult&)>& property,
-        const std::function<std::string(const Value&)>& nameOfValue)
+printBy(const std::string& name, const GuardRuns& runs, const Property& property)
 {
-  std::vector<Value> values;
-  for (const GuardResult& one : results)
-    if (std::find(values.begin(), values.end(), property(one)) == values.end())
-      values.push_back(property(one));
-  std::sort(values.begin(), values.end());
-  for (const Value& value : values) {
-    Results some;
-    std::copy_if(results.begin(),
-                 results.end(),
-                 std::back_inserter(some),
-                 [&](const GuardResult& one) { return property(one) == value; });
-    printResults(nameOfValue(value), some);
+  std::set<decltype(property(runs.front()))> values;
+  for (const GuardRun& one : runs)
+    values.insert(property(one));
+  for (const auto& value : values) {
+    GuardRuns some;
+    for (const GuardRun& one : runs)
+      if (property(one) == value)
+        some.push_back(one);
+    std::ostringstream title;
+    title << name << value;
+    printRuns(title.str(), some);
   }
 }
 
 void
-printRunsThat(const char* title,
-              const Results& results,
-              const std::function<bool(const GuardResult&)>& are)
+printGroup(const std::vector<std::string>& kinds)
 {
-  std::cout << "\n" << title << "\n\n";
-  for (const GuardResult& one : results)
-    if (are(one))
+  const GuardRuns runs = runKinds(kinds);
+  if (runs.empty())
+    return;
+  printHead("runs with | runs | accepted, worse than before | by 5 % | refused | % | "
+            "kept | ratio, median | 90 % | worst accepted | CPU s, median | most");
+  printRuns("all", runs);
+  printBy("", runs, [](const GuardRun& one) { return one.kind; });
+  printBy("drift x ", runs, [](const GuardRun& one) { return one.level; });
+  std::cout << "\nAccepted and worse than before, or refused:\n\n";
+  for (const GuardRun& one : runs)
+    if (one.isWorse() || one.run.report.outcome == RectificationOutcome::Refused)
       std::cout << "- " << one.kind << ' ' << one.seed << ": drift x " << one.level
-                << ", " << nameOf(one.variant) << ", " << one.before.unaligned
-                << " m before, " << one.after.unaligned << " m after, aligned "
-                << one.before.aligned << " and " << one.after.aligned << " m\n";
+                << ", " << nameOf(one.run.report.outcome) << ", "
+                << one.run.before.unaligned << " m before, " << one.run.after.unaligned
+                << " m after, aligned " << one.run.before.aligned << " and "
+                << one.run.after.aligned << " m\n";
 }
 
 void
-printGroup(const std::string& group, const Request& request)
+printBuildings(bool held_out)
 {
-  std::vector<GuardJob> jobs;
-  for (std::uint64_t seed = 1; seed <= request.runs; ++seed)
-    for (const std::string& kind : kindsOf(group))
-      jobs.push_back({kind, seed});
-  if (jobs.empty())
-    return;
-  const Results results = runGuardJobs(jobs, request.jobs);
-  std::cout << "\n### " << group << "\n\n";
-  printHead({"runs with",
-             "runs",
-             "accepted, worse than before",
-             "by 5 %",
-             "refused",
-             "%",
-             "kept",
-             "ratio, median",
-             "90 %",
-             "worst accepted",
-             "CPU s, median",
-             "most"});
-  printResults("all", results);
-  printBy<std::string>(
-      results,
-      [](const GuardResult& one) { return one.kind; },
-      [](const std::string& name) { return name; });
-  printBy<double>(
-      results,
-      [](const GuardResult& one) { return one.level; },
-      [](double level) {
-        std::ostringstream name;
-        name << "drift x " << level;
-        return name.str();
-      });
-  printBy<GuardVariant>(
-      results,
-      [](const GuardResult& one) { return one.variant; },
-      [](const GuardVariant& variant) { return nameOf(variant); });
-  printRunsThat("Accepted and worse than before:", results, [](const GuardResult& one) {
-    return one.isWorse();
-  });
-  printRunsThat("Refused:", results, [](const GuardResult& one) {
-    return one.outcome == RectificationOutcome::Refused;
-  });
-  std::cout << std::flush;
+  std::vector<std::string> kinds;
+  for (const BuildingKind& kind : buildingKinds())
+    if (kind.is_held_out == held_out)
+      kinds.push_back(kind.name);
+  printGroup(kinds);
 }
 
-int
-printOne(const Request& request)
-{
-  const RectificationRun run = runGuardCase(makeGuardCase(request.only, request.seed));
-  std::cout << nameOf(run.report.outcome) << ": " << run.report.reason << "\n"
-            << run.before.unaligned << " m before, " << run.after.unaligned
-            << " m after; aligned " << run.before.aligned << " and "
-            << run.after.aligned << " m; " << run.seconds << " s\n";
-  return 0;
-}
+const Section tuning_section("tuning", [] { printBuildings(false); });
+
+const Section held_out_section("held_out", [] { printBuildings(true); });
+
+const Section logs_section("logs", [] {
+  std::vector<std::string> names;
+  for (const RectificationMap& log : logs())
+    names.push_back(log.name);
+  printGroup(names);
+});
 
 } // namespace
 } // namespace pcl::acmap::bench
-
-int
-main(int argc, char** argv)
-{
-  using namespace pcl::acmap::bench;
-  Request request;
-  if (!readRequest(argc, argv, request)) {
-    std::cerr << usage;
-    return argc == 2 && std::string(argv[1]) == "--help" ? 0 : 2;
-  }
-  if (!request.only.empty())
-    return printOne(request);
-  for (const char* const group : {"tuning", "held_out", "logs"})
-    if (request.groups.empty() || request.groups.count(group) > 0)
-      printGroup(group, request);
-  return 0;
-}

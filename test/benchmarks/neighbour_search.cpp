@@ -1,20 +1,14 @@
+#include "bench.h"
+#include "bench_data.h"
 #include "dewall/ball_visit.h"
-#include "figure_clouds.h"
-#include "markdown_row.h"
-#include "timing.h"
 
 #include <pcl/kdtree/kdtree_flann.h>
 
 #include <nanoflann.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <limits>
 #include <memory>
+#include <numeric>
 #include <tuple>
-#include <vector>
 
 // Search trees beside each other: FLANN's, which PCL has, nanoflann's, and that of
 // DeWallTriangulation. Each finds the nearest 16 points of every point, one thread.
@@ -29,7 +23,8 @@ struct TimedSearch {
   double sum = 0;               ///< of all squared distances, to compare the results
 };
 
-/** \brief Runs the steps of a tree. \return times per point */
+/** \brief Runs the steps of a tree.
+ * \param[in] search gives the sum of the squared distances of a point's neighbours */
 template <typename Build, typename Search>
 TimedSearch
 timed(std::size_t points, const Build& build, const Search& search)
@@ -55,10 +50,7 @@ byFlann(const test::Cloud& cloud)
       [&] { tree.setInputCloud(cloud.makeShared()); },
       [&](std::size_t i) {
         tree.nearestKSearch(cloud[i], neighbours, found, squared);
-        double sum = 0;
-        for (const float distance : squared)
-          sum += distance;
-        return sum;
+        return std::accumulate(squared.begin(), squared.end(), 0.0);
       });
 }
 
@@ -89,11 +81,8 @@ struct Adaptor {
 TimedSearch
 byNanoflann(const test::Cloud& cloud)
 {
-  using Tree =
-      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Adaptor>,
-                                          Adaptor,
-                                          3,
-                                          std::uint32_t>;
+  using Metric = nanoflann::L2_Simple_Adaptor<float, Adaptor>;
+  using Tree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Adaptor, 3, std::uint32_t>;
   const Adaptor adaptor{cloud};
   std::unique_ptr<Tree> tree;
   std::uint32_t found[neighbours];
@@ -105,16 +94,11 @@ byNanoflann(const test::Cloud& cloud)
             3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(12));
       },
       [&](std::size_t i) {
-        const std::size_t count =
-            tree->knnSearch(cloud[i].data, neighbours, found, squared);
-        double sum = 0;
-        for (std::size_t k = 0; k < count; ++k)
-          sum += squared[k];
-        return sum;
+        const auto count = tree->knnSearch(cloud[i].data, neighbours, found, squared);
+        return std::accumulate(squared, squared + count, 0.0);
       });
 }
 
-/** \brief Sum of the squared distances of the nearest points, the point itself included. */
 double
 nearestOf(const dewall::PointTree& tree, std::int32_t i)
 {
@@ -137,10 +121,7 @@ nearestOf(const dewall::PointTree& tree, std::int32_t i)
             radius = std::sqrt(static_cast<double>(nearest[count - 1]));
         }
       });
-  double sum = 0;
-  for (int k = 0; k < count; ++k)
-    sum += nearest[k];
-  return sum;
+  return std::accumulate(nearest, nearest + count, 0.0);
 }
 
 TimedSearch
@@ -164,54 +145,31 @@ test::Cloud
 distinct(test::Cloud cloud)
 {
   const auto key = [](const PointXYZ& p) { return std::tie(p.x, p.y, p.z); };
-  std::sort(cloud.begin(), cloud.end(), [&](const PointXYZ& a, const PointXYZ& b) {
-    return key(a) < key(b);
-  });
-  cloud.erase(std::unique(cloud.begin(),
-                          cloud.end(),
-                          [&](const PointXYZ& a, const PointXYZ& b) {
-                            return key(a) == key(b);
-                          }),
-              cloud.end());
+  const auto isLess = [&](auto& a, auto& b) { return key(a) < key(b); };
+  const auto isSame = [&](auto& a, auto& b) { return key(a) == key(b); };
+  std::sort(cloud.begin(), cloud.end(), isLess);
+  cloud.erase(std::unique(cloud.begin(), cloud.end(), isSame), cloud.end());
   return cloud;
 }
 
-bool
-print(const FigureCloud& figure)
-{
-  const test::Cloud cloud = distinct(figure.cloud);
-  const TimedSearch flann = byFlann(cloud), nano = byNanoflann(cloud),
-                    ours = byOurs(cloud);
-  MarkdownRow row;
-  row.text(figure.name).count(cloud.size());
-  for (const TimedSearch& tree : {flann, nano, ours})
-    row.number(tree.build, 2).number(tree.search, 2);
-  row.text(timesOf(flann.build + flann.search, ours.build + ours.search)).print();
-  const bool are_same = std::abs(flann.sum - ours.sum) < 1e-3 * flann.sum &&
-                        std::abs(nano.sum - ours.sum) < 1e-3 * nano.sum;
-  if (!are_same)
-    std::printf("the trees do not agree: %g, %g, %g\n", flann.sum, nano.sum, ours.sum);
-  return are_same;
-}
+const Section search_section("search", [] {
+  printHead("cloud | points | FLANN build, us a point | search of 16 | nanoflann build "
+            "| search | ours build | search | FLANN : ours");
+  for (const FigureCloud& view : singleViews()) {
+    const test::Cloud cloud = distinct(view.cloud);
+    const TimedSearch flann = byFlann(cloud), nano = byNanoflann(cloud),
+                      ours = byOurs(cloud);
+    Row row;
+    row << view.name << cloud.size();
+    for (const TimedSearch& tree : {flann, nano, ours}) {
+      row << figure(tree.build, 2) << figure(tree.search, 2);
+      if (!(std::abs(tree.sum - flann.sum) < 1e-3 * flann.sum))
+        std::cerr << "the trees do not agree: " << tree.sum << ", " << flann.sum
+                  << '\n';
+    }
+    row << timesOf(flann.build + flann.search, ours.build + ours.search);
+  }
+});
 
 } // namespace
 } // namespace pcl::acmap::bench
-
-int
-main()
-{
-  using namespace pcl::acmap::bench;
-  printHead({"cloud",
-             "points",
-             "FLANN build, us a point",
-             "search of 16",
-             "nanoflann build",
-             "search",
-             "ours build",
-             "search",
-             "FLANN : ours"});
-  bool are_same = true;
-  for (const FigureCloud& figure : singleViews())
-    are_same = print(figure) && are_same;
-  return are_same ? EXIT_SUCCESS : EXIT_FAILURE;
-}

@@ -1,25 +1,72 @@
-#include "outline_tables.h"
-
-#include "child_process.h"
-#include "markdown_row.h"
+#include "bench.h"
 #include "outline_scores.h"
-#include "polygonal_surface.h"
+#include "processes.h"
 #include "simulated_clouds.h"
 #include "temporary_folder.h"
-#include "timing.h"
 
 #include <pcl/core/map_file.h>
 #include <pcl/simulation/standard_scenes.h>
 
-#include <cmath>
-#include <iostream>
-#include <limits>
-#include <stdexcept>
-
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/GLPK_mixed_integer_program_traits.h>
+#include <CGAL/Polygonal_surface_reconstruction.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
+#include <Eigen/Core>
 #include <sys/resource.h>
+
+#include <stdexcept>
+#include <tuple>
 
 namespace pcl::acmap::bench {
 namespace {
+
+/** \brief Points with the planes that they are on. */
+struct LabelledPoints {
+  std::vector<Eigen::Vector3f> points;  ///< metres
+  std::vector<std::int32_t> labels;     ///< index of a plane, -1 for none
+  std::vector<Eigen::Vector3d> normals; ///< of the planes; each has points
+};
+
+/** \brief Faces of the closed surface that CGAL's Polygonal_surface_reconstruction
+ * (PolyFit) selects with its default weights and GLPK; empty if the solver failed. */
+std::vector<std::vector<Eigen::Vector3d>>
+polygonalSurface(const LabelledPoints& input)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Point = std::tuple<Kernel::Point_3, Kernel::Vector_3, int>;
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < input.points.size(); ++i) {
+    const Eigen::Vector3d place = input.points[i].cast<double>();
+    const std::int32_t label = input.labels[i];
+    const Eigen::Vector3d normal = label < 0
+                                       ? Eigen::Vector3d::UnitX()
+                                       : input.normals[static_cast<std::size_t>(label)];
+    points.emplace_back(Kernel::Point_3(place.x(), place.y(), place.z()),
+                        Kernel::Vector_3(normal.x(), normal.y(), normal.z()),
+                        label);
+  }
+  CGAL::Polygonal_surface_reconstruction<Kernel> reconstruction(
+      points,
+      CGAL::Nth_of_tuple_property_map<0, Point>(),
+      CGAL::Nth_of_tuple_property_map<1, Point>(),
+      CGAL::Nth_of_tuple_property_map<2, Point>());
+  CGAL::Surface_mesh<Kernel::Point_3> mesh;
+  std::vector<std::vector<Eigen::Vector3d>> faces;
+  if (!reconstruction.reconstruct<CGAL::GLPK_mixed_integer_program_traits<double>>(
+          mesh)) {
+    std::cerr << "PolyFit: " << reconstruction.error_message() << "\n";
+    return faces;
+  }
+  for (const auto face : mesh.faces()) {
+    std::vector<Eigen::Vector3d>& corners = faces.emplace_back();
+    for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face))) {
+      const Kernel::Point_3& point = mesh.point(vertex);
+      corners.emplace_back(point.x(), point.y(), point.z());
+    }
+  }
+  return faces;
+}
 
 constexpr double time_limit = 120;         // seconds of CPU time
 constexpr std::size_t max_points = 100000; // of a scene, for the peer
@@ -68,19 +115,13 @@ std::size_t
 nearestPlane(const std::vector<Eigen::Vector3d>& corners,
              const std::vector<TruthPlane>& planes)
 {
-  const auto distance = [&](const TruthPlane& plane) {
-    double maximum = 0;
-    for (const Eigen::Vector3d& corner : corners)
-      maximum = std::max(
-          maximum,
-          std::abs(plane.coefficients.head<3>().dot(corner) + plane.coefficients[3]));
-    return maximum;
-  };
-  const auto nearest = std::min_element(
-      planes.begin(), planes.end(), [&](const TruthPlane& a, const TruthPlane& b) {
-        return distance(a) < distance(b);
-      });
-  return static_cast<std::size_t>(nearest - planes.begin());
+  const std::vector<double> distances = valuesOf(planes, [&](const TruthPlane& plane) {
+    return largest(valuesOf(corners, [&](const Eigen::Vector3d& corner) {
+      return std::abs(plane.coefficients.dot(corner.homogeneous()));
+    }));
+  });
+  return static_cast<std::size_t>(std::min_element(distances.begin(), distances.end()) -
+                                  distances.begin());
 }
 
 /** \brief Faces as the polygons of planes, which are those of the truth: the peer was
@@ -132,48 +173,29 @@ runPolyfit(const std::string& name,
 }
 
 void
-printRow(const std::string& scene,
-         const std::string& method,
-         double seconds,
-         const std::vector<PlanePatch>& planes,
-         const SimulatedScene& simulated,
-         const VisibleTruth& truth)
+printSurface(const std::string& scene,
+             const std::string& method,
+             const JudgedMap& map,
+             const SimulatedScene& simulated,
+             const VisibleTruth& truth)
 {
   const std::vector<PlaneOutline> outlines =
-      makeOutlines(planes, simulated.views.front());
+      makeOutlines(map.planes, simulated.views.front());
   const OutlineCounts counts = countOutlines(outlines);
   const OutlineScores scores = scoreOutlines(outlines, truth);
-  MarkdownRow()
-      .text(scene)
-      .text(method)
-      .text("yes")
-      .number(seconds, 2)
-      .count(counts.polygons)
-      .number(scores.common / (scores.joined + truth.seenArea() - scores.seen), 4)
-      .number(100 - 100 * scores.common / truth.seenArea(), 2)
-      .number(100 * (scores.unseen + scores.nothing) / truth.seenArea(), 2)
-      .number(counts.area / truth.seenArea(), 3)
-      .print();
+  const double seen = truth.seenArea();
+  Row() << scene << method << "yes" << figure(map.seconds, 2) << counts.polygons
+        << figure(scores.common / (scores.joined + seen - scores.seen), 4)
+        << figure(100 - 100 * scores.common / seen, 2)
+        << figure(100 * (scores.unseen + scores.nothing) / seen, 2)
+        << figure(counts.area / seen, 3);
 }
 
-void
-printUnsolved(const std::string& scene, double seconds)
-{
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  MarkdownRow row;
-  row.text(scene).text("PolyFit").text("no").number(seconds, 2);
-  for (int column = 0; column < 5; ++column)
-    row.number(nothing, 0);
-  row.print();
-}
-
-} // namespace
-
-void
-printPolyfitOutlines(const std::vector<std::string>& names,
-                     const OutlineOptions& options)
-{
+/** The surfaces that PolyFit makes, knowing the true planes, beside ours. */
+const Section polyfit_section("polyfit", [] {
   const test::TemporaryFolder folder;
+  const std::vector<std::string> names{
+      "corridor_survey", "office", "l_corridor", "loop"};
   std::vector<SimulatedScene> scenes;
   std::vector<VisibleTruth> truths;
   std::vector<PolyfitRun> runs; // before there are threads
@@ -182,30 +204,21 @@ printPolyfitOutlines(const std::vector<std::string>& names,
     truths.push_back(findVisibleTruth(scenes.back()));
     runs.push_back(runPolyfit(name, truths.back().face_of_plane, folder.path(name)));
   }
-  std::cout << "\n### Closed surfaces\n";
-  printHead({"scene",
-             "method",
-             "solved",
-             "CPU s",
-             "polygons",
-             "IoU, all faces",
-             "seen but missing %",
-             "surplus %",
-             "area : seen area"});
+  printHead("scene | method | solved | CPU s | polygons | IoU, all faces | seen but "
+            "missing % | surplus % | area : seen area");
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (runs[i].faces > 0)
-      printRow(names[i],
-               "PolyFit",
-               runs[i].seconds,
-               loadMapFile(folder.path(names[i])).planes,
-               scenes[i],
-               truths[i]);
+      printSurface(names[i],
+                   "PolyFit",
+                   {loadMapFile(folder.path(names[i])).planes, runs[i].seconds},
+                   scenes[i],
+                   truths[i]);
     else
-      printUnsolved(names[i], runs[i].seconds);
-    const JudgedMap map =
-        makeJudgedMap(names[i], options, [&] { return observeScene(scenes[i]); });
-    printRow(names[i], "acmap", map.seconds, map.planes, scenes[i], truths[i]);
+      Row() << names[i] << "PolyFit | no" << figure(runs[i].seconds, 2) << no_value
+            << no_value << no_value << no_value << no_value;
+    printSurface(names[i], "acmap", findJudgedMap(scenes[i]), scenes[i], truths[i]);
   }
-}
+});
 
+} // namespace
 } // namespace pcl::acmap::bench

@@ -1,6 +1,5 @@
+#include "bench.h"
 #include "cell_polygons.h"
-#include "markdown_row.h"
-#include "timing.h"
 
 #include <pcl/core/polygon_triangles.h>
 
@@ -11,12 +10,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <iostream>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace pcl::acmap::bench {
 namespace {
@@ -140,29 +134,14 @@ microseconds(const std::vector<Region>& regions, const Triangulate& triangulate)
 void
 printRegions(const std::string& name, const std::vector<Region>& regions)
 {
-  MarkdownRow()
-      .text(name)
-      .count(regions.size())
-      .count(wrong(regions, byAcmap))
-      .count(wrong(regions, byVtk))
-      .number(microseconds(regions, byAcmap), 1)
-      .number(microseconds(regions, byVtk), 1)
-      .print();
+  Row() << name << regions.size() << wrong(regions, byAcmap) << wrong(regions, byVtk)
+        << figure(microseconds(regions, byAcmap), 1)
+        << figure(microseconds(regions, byVtk), 1);
 }
 
-} // namespace
-} // namespace pcl::acmap::bench
-
-int
-main()
-{
-  using namespace pcl::acmap::bench;
-  printHead({"outlines and holes",
-             "regions",
-             "wrong",
-             "wrong, VTK",
-             "us per region",
-             "us, VTK"});
+const Section polygons_section("polygons", [] {
+  printHead(
+      "outlines and holes | regions | wrong | wrong, VTK | us per region | us, VTK");
   std::vector<Region> apart, touching, pinched;
   for (const Region& region : regions(false))
     (hasTouchingLoops(region.polygon) ? touching : apart).push_back(oriented(region));
@@ -172,4 +151,7 @@ main()
   printRegions("apart", apart);
   printRegions("touch each other", touching);
   printRegions("touch themselves", pinched);
-}
+});
+
+} // namespace
+} // namespace pcl::acmap::bench

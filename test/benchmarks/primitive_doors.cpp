@@ -1,22 +1,13 @@
-#include "primitive_tables.h"
-
-#include "cpu_time.h"
-#include "markdown_row.h"
+#include "bench.h"
 #include "primitive_scenes.h"
-#include "units.h"
 
 #include <pcl/segmentation/recess_fitting.h>
 #include <pcl/simulation/standard_scenes.h>
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 namespace pcl::acmap::bench {
 namespace {
@@ -79,124 +70,68 @@ doorsOf(const SimulatedScene& scene)
   return doors;
 }
 
-/** Is a surface part of a door? */
-bool
-isOfDoor(const std::string& name, const std::vector<SceneDoor>& doors)
-{
-  return std::any_of(doors.begin(), doors.end(), [&](const SceneDoor& door) {
-    return name == door.name || name == door.name + " reveal" ||
-           name == door.name + " floor";
-  });
-}
-
 /** The same scene with walls instead of doors. */
 SimulatedScene
-withoutDoors(SimulatedScene scene)
+withoutDoors(const SimulatedScene& scene)
 {
   const std::vector<SceneDoor> doors = doorsOf(scene);
-  SceneGeometry building;
-  const std::vector<TruthPlane>& planes = scene.geometry.planes();
-  for (const SimulatedSurface& surface : scene.geometry.surfaces()) {
-    if (const auto* const cylinder = std::get_if<SimulatedCylinder>(&surface.shape))
-      building.addCylinder(surface.name, *cylinder, surface.look, false);
-    const auto* const shape = std::get_if<SimulatedRectangle>(&surface.shape);
-    if (shape && !isOfDoor(surface.name, doors))
-      building.addRectangle(surface.name,
-                            planes[static_cast<std::size_t>(surface.plane)].name,
-                            *shape,
-                            surface.look);
-  }
+  const auto isOfDoor = [&](const std::string& name) {
+    return std::any_of(doors.begin(), doors.end(), [&](const SceneDoor& door) {
+      return name == door.name || name == door.name + " reveal" ||
+             name == door.name + " floor";
+    });
+  };
+  SimulatedScene closed = withoutSurfaces(scene, isOfDoor, true);
   for (const SceneDoor& door : doors)
-    building.addRectangle(door.wall, door.wall, door.opening, SurfaceLook());
-  scene.geometry = building;
-  return scene;
+    closed.geometry.addRectangle(door.wall, door.wall, door.opening, SurfaceLook());
+  return closed;
 }
 
-/** How the doors of a scene were found. */
-struct DoorFinds {
-  std::size_t doors = 0; ///< in sight
-  std::size_t found = 0;
-  std::size_t on_floor = 0;                             ///< of those found
-  std::size_t wrong = 0;                                ///< recesses that are no door
-  Eigen::Vector3d size_error = Eigen::Vector3d::Zero(); ///< metres, largest
-};
-
-DoorFinds
-judgeDoors(const SimulatedScene& scene, const std::vector<RecessPatch>& recesses)
+void
+printDoors(const std::string& name, const SimulatedScene& scene)
 {
-  constexpr double near = 0.1; // metres
-  DoorFinds finds;
+  constexpr double near = 0.1, reach = 0.01; // metres
+  const std::vector<PlanePatch> planes = mapScene(scene, false).planes;
+  RecessFitting fitting;
+  fitting.setPlanes(planes);
+  std::vector<RecessPatch> recesses;
+  const double seconds = measureCost([&] { fitting.segment(recesses); }).cpu;
+  std::size_t doors = 0, found = 0, on_floor = 0; // those in sight
+  Eigen::Vector3d size_error = Eigen::Vector3d::Zero();
   std::vector<bool> is_door(recesses.size(), false);
   for (const SceneDoor& door : doorsOf(scene)) {
     const bool counts = isInSight(scene, door.center());
-    finds.doors += counts ? 1 : 0;
+    doors += counts ? 1 : 0;
     for (std::size_t i = 0; i < recesses.size(); ++i) {
       const RecessPatch& recess = recesses[i];
       if ((scene.views.front() * recess.center - door.center()).norm() > near)
         continue;
       is_door[i] = true;
-      finds.found += counts ? 1 : 0;
-      finds.on_floor += counts && recess.reaches_floor ? 1 : 0;
-      finds.size_error =
-          finds.size_error.cwiseMax((recess.size - door.size()).cwiseAbs());
+      found += counts ? 1 : 0;
+      on_floor += counts && recess.reaches_floor ? 1 : 0;
+      size_error = size_error.cwiseMax((recess.size - door.size()).cwiseAbs());
     }
   }
-  finds.wrong =
-      static_cast<std::size_t>(std::count(is_door.begin(), is_door.end(), false));
-  return finds;
+  const RecessFittingReport& report = fitting.getReport();
+  Row() << name << planes.size() << atLeast(found, doors, 0)
+        << atMost(std::count(is_door.begin(), is_door.end(), false), 0, 0) << on_floor
+        << atMost(milli * size_error.x(), milli * reach, 1)
+        << atMost(milli * size_error.y(), milli * reach, 1)
+        << atMost(milli * size_error.z(), milli * reach, 1) << report.templates
+        << figure(report.bits_before, 0) << figure(report.bits_after, 0)
+        << figure(seconds, 3);
 }
 
-void
-printDoorsRow(const std::string& name, const SimulatedScene& scene)
-{
-  constexpr double reach = 0.01; // metres
-  const std::vector<PlanePatch> planes = mapScene(scene, false).planes;
-  RecessFitting fitting;
-  fitting.setPlanes(planes);
-  std::vector<RecessPatch> recesses;
-  const double begin = processSeconds();
-  fitting.segment(recesses);
-  const double seconds = processSeconds() - begin;
-  const DoorFinds finds = judgeDoors(scene, recesses);
-  MarkdownRow()
-      .text(name)
-      .count(planes.size())
-      .atLeast(static_cast<double>(finds.found), static_cast<double>(finds.doors), 0)
-      .atMost(static_cast<double>(finds.wrong), 0, 0)
-      .count(finds.on_floor)
-      .atMost(milli * finds.size_error.x(), milli * reach, 1)
-      .atMost(milli * finds.size_error.y(), milli * reach, 1)
-      .atMost(milli * finds.size_error.z(), milli * reach, 1)
-      .count(fitting.getReport().templates)
-      .number(fitting.getReport().bits_before, 0)
-      .number(fitting.getReport().bits_after, 0)
-      .number(seconds, 3)
-      .print();
-}
+const Section doors_section("doors", [] {
+  printHead(
+      "scene | planes | doors found | wrong | on the floor | width error mm | height "
+      "error mm | depth error mm | sizes | bits before | bits after | CPU s");
+  for (const std::string name : {"corridor", "office", "l_corridor", "loop"}) {
+    const SimulatedScene scene = standardScene(name);
+    printDoors(name, scene);
+    printDoors(name + " without doors", withoutDoors(scene));
+  }
+});
 
 } // namespace
-
-void
-printDoors()
-{
-  std::cout << "\n### Doors\n";
-  printHead({"scene",
-             "planes",
-             "doors found",
-             "wrong",
-             "on the floor",
-             "width error mm",
-             "height error mm",
-             "depth error mm",
-             "sizes",
-             "bits before",
-             "bits after",
-             "CPU s"});
-  for (const char* const name : {"corridor", "office", "l_corridor", "loop"}) {
-    const SimulatedScene scene = standardScene(name);
-    printDoorsRow(name, scene);
-    printDoorsRow(std::string(name) + " without doors", withoutDoors(scene));
-  }
-}
-
 } // namespace pcl::acmap::bench

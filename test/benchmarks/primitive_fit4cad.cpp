@@ -1,22 +1,12 @@
-#include "primitive_tables.h"
-
+#include "bench.h"
 #include "bench_data.h"
-#include "cpu_time.h"
-#include "markdown_row.h"
-#include "statistics.h"
+#include "primitive_scenes.h"
 
 #include <pcl/segmentation/cylinder_hypothesis_clustering.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <map>
 #include <set>
-#include <sstream>
-#include <string>
 
 namespace pcl::acmap::bench {
 namespace {
@@ -35,28 +25,6 @@ struct Model {
   std::vector<TrueCylinder> cylinders;
   double extent = 0; ///< diagonal of its box
 };
-
-std::string
-unpacked(const std::string& path)
-{
-  std::string text;
-  FILE* const pipe = ::popen(("xz -dkc '" + path + "'").c_str(), "r");
-  if (!pipe)
-    return text;
-  std::array<char, 1 << 16> buffer;
-  for (std::size_t size;
-       (size = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-    text.append(buffer.data(), size);
-  ::pclose(pipe);
-  return text;
-}
-
-std::string
-fileText(const std::string& path)
-{
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /** The numbers of a text, whatever is between them. */
 std::vector<double>
@@ -91,7 +59,7 @@ Model
 readModel(const std::string& stem)
 {
   Model model;
-  const std::string points = unpacked(stem + ".txt.xz");
+  const std::string points = contentOf(stem + ".txt.xz");
   const std::vector<double> numbers = numbersOf(points.substr(points.find('[')));
   Eigen::Vector3d low(1e30, 1e30, 1e30), high = -low;
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
@@ -105,7 +73,7 @@ readModel(const std::string& stem)
   model.extent = (high - low).norm();
   std::map<int, TrueCylinder> cylinders;
   const std::string kind = "Cylinder, ";
-  visitPrimitives(fileText(stem + "_parametric.txt"),
+  visitPrimitives(contentOf(stem + "_parametric.txt"),
                   [&](int number, const std::string& text) {
                     if (text.compare(0, kind.size(), kind) != 0)
                       return;
@@ -117,7 +85,7 @@ readModel(const std::string& stem)
                     cylinder.axis = Eigen::Vector3d(p[6], p[7], p[8]).normalized();
                     cylinder.point = Eigen::Vector3d(p[9], p[10], p[11]);
                   });
-  visitPrimitives(unpacked(stem + "_primitives.txt.xz"),
+  visitPrimitives(contentOf(stem + "_primitives.txt.xz"),
                   [&](int number, const std::string& text) {
                     const auto found = cylinders.find(number);
                     if (found == cylinders.end())
@@ -138,13 +106,12 @@ isConsistent(const Model& model)
   constexpr double tolerance = 1e-3; // of the radius
   return std::all_of(
       model.cylinders.begin(), model.cylinders.end(), [&](const TrueCylinder& truth) {
-        std::vector<double> offs;
-        for (const std::int32_t i : truth.points) {
-          const Eigen::Vector3d way =
-              (*model.cloud)[i].getVector3fMap().cast<double>() - truth.point;
-          const double radius = (way - way.dot(truth.axis) * truth.axis).norm();
-          offs.push_back(std::abs(radius - truth.radius));
-        }
+        const auto offs = valuesOf(truth.points, [&](std::int32_t i) {
+          const Eigen::Vector3d place =
+              (*model.cloud)[i].getVector3fMap().cast<double>();
+          return std::abs(distanceToAxis(place, truth.point, truth.axis) -
+                          truth.radius);
+        });
         return !(median(offs) > tolerance * truth.radius);
       });
 }
@@ -154,70 +121,61 @@ bool
 areSame(const TrueCylinder& truth, const CylinderPatch& patch, double extent)
 {
   constexpr double parallel = 0.9986; // 3 degrees
-  constexpr double tolerance = 0.03;  // of the radius
-  const Eigen::Vector3d way = patch.axis_point - truth.point;
-  const double off = (way - way.dot(truth.axis) * truth.axis).norm();
+  const double tolerance = 0.03 * truth.radius;
   return std::abs(truth.axis.dot(patch.axis_direction)) > parallel &&
-         std::abs(truth.radius - patch.radius) < tolerance * truth.radius &&
-         off < tolerance * truth.radius + 0.002 * extent;
+         std::abs(truth.radius - patch.radius) < tolerance &&
+         distanceToAxis(patch.axis_point, truth.point, truth.axis) <
+             tolerance + 0.002 * extent;
 }
 
+/** Sums over several models. */
 struct Score {
   std::size_t true_cylinders = 0, found = 0, reported = 0, right = 0;
   std::vector<double> errors; ///< of radii, percent
   double seconds = 0;
+
+  void
+  add(const Model& model)
+  {
+    CylinderHypothesisClustering<PointXYZ> clustering;
+    clustering.setInputCloud(model.cloud);
+    std::vector<CylinderPatch> patches;
+    seconds += measureCost([&] { clustering.segment(patches); }).cpu;
+    const PointLabels& labels = clustering.getLabels();
+    const auto size = static_cast<double>(model.cloud->size());
+    const auto common = [&](const TrueCylinder& truth, std::size_t patch) {
+      const auto is_on = [&](std::int32_t point) {
+        return labels[static_cast<std::size_t>(point)] ==
+               static_cast<std::int32_t>(patch);
+      };
+      return static_cast<double>(
+          std::count_if(truth.points.begin(), truth.points.end(), is_on));
+    };
+    for (const TrueCylinder& truth : model.cylinders) {
+      const auto points = static_cast<double>(truth.points.size());
+      if (points < min_share * size)
+        continue;
+      ++true_cylinders;
+      for (std::size_t p = 0; p < patches.size(); ++p)
+        if (areSame(truth, patches[p], model.extent) &&
+            2 * common(truth, p) >= points) {
+          ++found;
+          errors.push_back(100 * std::abs(patches[p].radius / truth.radius - 1));
+          break;
+        }
+    }
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      const auto points = static_cast<double>(patches[p].support);
+      if (points < reported_share * size)
+        continue;
+      ++reported;
+      double shared = 0;
+      for (const TrueCylinder& truth : model.cylinders)
+        shared += areSame(truth, patches[p], model.extent) ? common(truth, p) : 0;
+      right += 2 * shared >= points ? 1 : 0;
+    }
+  }
 };
-
-Score
-score(const Model& model)
-{
-  CylinderHypothesisClustering<PointXYZ> clustering;
-  clustering.setInputCloud(model.cloud);
-  std::vector<CylinderPatch> patches;
-  const double begin = processSeconds();
-  clustering.segment(patches);
-  Score result;
-  result.seconds = processSeconds() - begin;
-  const PointLabels& labels = clustering.getLabels();
-  const double size = static_cast<double>(model.cloud->size());
-  const auto common = [&](const TrueCylinder& truth, std::size_t patch) {
-    return std::count_if(
-        truth.points.begin(), truth.points.end(), [&](std::int32_t point) {
-          return labels[static_cast<std::size_t>(point)] ==
-                 static_cast<std::int32_t>(patch);
-        });
-  };
-  for (const TrueCylinder& truth : model.cylinders) {
-    const double points = static_cast<double>(truth.points.size());
-    if (points < min_share * size)
-      continue;
-    ++result.true_cylinders;
-    for (std::size_t p = 0; p < patches.size(); ++p)
-      if (areSame(truth, patches[p], model.extent) &&
-          2 * static_cast<double>(common(truth, p)) >= points) {
-        ++result.found;
-        result.errors.push_back(100 * std::abs(patches[p].radius / truth.radius - 1));
-        break;
-      }
-  }
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    const double points = static_cast<double>(patches[p].support);
-    if (points < reported_share * size)
-      continue;
-    ++result.reported;
-    std::ptrdiff_t shared = 0;
-    for (const TrueCylinder& truth : model.cylinders)
-      shared += areSame(truth, patches[p], model.extent) ? common(truth, p) : 0;
-    result.right += 2 * static_cast<double>(shared) >= points ? 1 : 0;
-  }
-  return result;
-}
-
-double
-ratio(std::size_t part, std::size_t whole)
-{
-  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 1;
-}
 
 void
 printModels(int parity, double reach)
@@ -229,78 +187,33 @@ printModels(int parity, double reach)
   std::set<int> numbers;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name.find("_parametric") != std::string::npos)
+    if (name.find("_parametric") != std::string::npos &&
+        std::stoi(name.substr(2)) % 2 == parity)
       numbers.insert(std::stoi(name.substr(2)));
   }
-  printHead({"model",
-             "points",
-             "cylinders",
-             "found",
-             "reported",
-             "right",
-             "median radius error %",
-             "CPU s"});
   Score all;
   for (const int number : numbers) {
-    if (number % 2 != parity)
-      continue;
     const std::string name = "PC" + std::to_string(number);
     const Model model = readModel((folder / name).string());
-    if (!isConsistent(model)) {
+    if (isConsistent(model))
+      all.add(model);
+    else
       std::cerr << name << " is left out: its points are not on its cylinders\n";
-      continue;
-    }
-    const Score one = score(model);
-    MarkdownRow()
-        .text(name)
-        .count(model.cloud->size())
-        .count(one.true_cylinders)
-        .count(one.found)
-        .count(one.reported)
-        .count(one.right)
-        .number(median(one.errors), 3)
-        .number(one.seconds, 2)
-        .print();
-    all.true_cylinders += one.true_cylinders;
-    all.found += one.found;
-    all.reported += one.reported;
-    all.right += one.right;
-    all.errors.insert(all.errors.end(), one.errors.begin(), one.errors.end());
-    all.seconds += one.seconds;
   }
-  MarkdownRow()
-      .text("all")
-      .text("")
-      .count(all.true_cylinders)
-      .text(std::to_string(all.found))
-      .count(all.reported)
-      .count(all.right)
-      .number(median(all.errors), 3)
-      .number(all.seconds, 1)
-      .print();
-  std::cout << '\n';
-  printHead({"recall", "precision"});
-  MarkdownRow()
-      .atLeast(ratio(all.found, all.true_cylinders), reach, 3)
-      .atLeast(ratio(all.right, all.reported), reach, 3)
-      .print();
+  const auto ratio = [](std::size_t part, std::size_t whole) {
+    return percent(part, whole) / 100;
+  };
+  printHead("cylinders | found | reported | right | recall | precision | median radius "
+            "error % | CPU s");
+  Row() << all.true_cylinders << all.found << all.reported << all.right
+        << atLeast(ratio(all.found, all.true_cylinders), reach, 3)
+        << atLeast(ratio(all.right, all.reported), reach, 3)
+        << figure(median(all.errors), 3) << figure(all.seconds, 1);
 }
+
+const Section fit4cad_section("fit4cad", [] { printModels(0, 0.92); });
+
+const Section fit4cad_tuned_section("fit4cad_tuned", [] { printModels(1, no_reach); });
 
 } // namespace
-
-void
-printFit4cad()
-{
-  constexpr double reach = 0.92;
-  std::cout << "\n### Models that nobody looked at\n";
-  printModels(0, reach);
-}
-
-void
-printFit4cadTuned()
-{
-  std::cout << "\n### Models on which limits were tuned\n";
-  printModels(1, no_reach);
-}
-
 } // namespace pcl::acmap::bench

@@ -41,7 +41,29 @@ boxesOf(const SimulatedScene& scene)
 }
 
 SimulatedScene
-withoutBoxes(SimulatedScene scene)
+withoutSurfaces(SimulatedScene scene,
+                const std::function<bool(const std::string& name)>& is_left_out,
+                bool keeps_cylinders)
+{
+  SceneGeometry kept;
+  const std::vector<TruthPlane>& planes = scene.geometry.planes();
+  for (const SimulatedSurface& surface : scene.geometry.surfaces()) {
+    const auto* const cylinder = std::get_if<SimulatedCylinder>(&surface.shape);
+    if (cylinder && keeps_cylinders)
+      kept.addCylinder(surface.name, *cylinder, surface.look, false);
+    const auto* const shape = std::get_if<SimulatedRectangle>(&surface.shape);
+    if (shape && !is_left_out(surface.name))
+      kept.addRectangle(surface.name,
+                        planes[static_cast<std::size_t>(surface.plane)].name,
+                        *shape,
+                        surface.look);
+  }
+  scene.geometry = kept;
+  return scene;
+}
+
+SimulatedScene
+withoutBoxes(const SimulatedScene& scene)
 {
   const std::vector<SceneBox> boxes = boxesOf(scene);
   const auto isOfBox = [&](const std::string& name) {
@@ -49,17 +71,7 @@ withoutBoxes(SimulatedScene scene)
       return name.compare(0, box.name.size() + 1, box.name + " ") == 0;
     });
   };
-  SceneGeometry building;
-  const std::vector<TruthPlane>& planes = scene.geometry.planes();
-  for (const SimulatedSurface& surface : scene.geometry.surfaces())
-    if (const auto* const shape = std::get_if<SimulatedRectangle>(&surface.shape);
-        shape && !isOfBox(surface.name))
-      building.addRectangle(surface.name,
-                            planes[static_cast<std::size_t>(surface.plane)].name,
-                            *shape,
-                            surface.look);
-  scene.geometry = building;
-  return scene;
+  return withoutSurfaces(scene, isOfBox, false);
 }
 
 bool
@@ -74,6 +86,23 @@ isInSight(const SimulatedScene& scene, const Eigen::Vector3d& place)
         return at.z() > 0 && at.z() < scene.sensor.reach && column > 0 &&
                column < rig.width && row > 0 && row < rig.height;
       });
+}
+
+const CylinderPatch*
+patchOf(const Eigen::Vector3d& point,
+        const Eigen::Vector3d& axis,
+        double radius,
+        const std::vector<CylinderPatch>& patches)
+{
+  constexpr double parallel = 0.99; // 8 degrees
+  const double tolerance = 0.25 * radius;
+  const auto found =
+      std::find_if(patches.begin(), patches.end(), [&](const CylinderPatch& patch) {
+        return std::abs(axis.dot(patch.axis_direction)) > parallel &&
+               std::abs(patch.radius - radius) < tolerance &&
+               distanceToAxis(patch.axis_point, point, axis) < tolerance;
+      });
+  return found == patches.end() ? nullptr : &*found;
 }
 
 MappedPlanes

@@ -1,6 +1,6 @@
 #include "rectification_peers.h"
 
-#include "timing.h"
+#include "bench.h"
 
 #include <pcl/common/io.h>
 #include <pcl/common/transforms.h>
@@ -10,29 +10,27 @@
 #include <pcl/registration/icp.h>
 #include <pcl/registration/lum.h>
 
-#include <cmath>
-
 namespace pcl::acmap::bench {
 namespace {
 
 constexpr double largest_distance = 0.3; ///< maximum distance of corresponding points,
                                          ///< metres
 
-using Points = PointCloud<PointXYZ>;
+using PeerPoints = PointCloud<PointXYZ>;
 
 /** The clouds transformed by the given poses, in the frame of the first one. Both
  * methods then only compute small corrections, so that LUM's Euler angles stay
  * small. */
-std::vector<Points::Ptr>
+std::vector<PeerPoints::Ptr>
 placedClouds(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& given)
 {
   const Eigen::Isometry3d T_first_map = given.front().inverse();
-  std::vector<Points::Ptr> placed;
+  std::vector<PeerPoints::Ptr> placed;
   for (std::size_t i = 0; i < given.size(); ++i) {
-    Points local;
+    PeerPoints local;
     copyPointCloud(*clouds[i], local);
     const Eigen::Isometry3d pose = T_first_map * given[i];
-    placed.push_back(std::make_shared<Points>());
+    placed.push_back(std::make_shared<PeerPoints>());
     transformPointCloud(local, *placed.back(), pose.cast<float>().matrix());
   }
   return placed;
@@ -57,7 +55,7 @@ corrected(const Eigen::Isometry3d& given,
 }
 
 CorrespondencesPtr
-correspondencesOf(const Points::Ptr& source, const Points::Ptr& target)
+correspondencesOf(const PeerPoints::Ptr& source, const PeerPoints::Ptr& target)
 {
   registration::CorrespondenceEstimation<PointXYZ, PointXYZ> estimation;
   estimation.setInputSource(source);
@@ -70,7 +68,7 @@ correspondencesOf(const Points::Ptr& source, const Points::Ptr& target)
 void
 setCorrespondences(registration::LUM<PointXYZ>& lum, const ObservationPairs& pairs)
 {
-  std::vector<Points::Ptr> placed;
+  std::vector<PeerPoints::Ptr> placed;
   for (std::size_t i = 0; i < lum.getNumVertices(); ++i)
     placed.push_back(lum.getTransformedCloud(i));
   for (const auto& [a, b] : pairs) {
@@ -107,7 +105,7 @@ runLum(const PeerClouds& clouds,
   constexpr int rounds = 5;
   registration::LUM<PointXYZ> lum;
   lum.setMaxIterations(1);
-  for (const Points::Ptr& cloud : placedClouds(clouds, given))
+  for (const PeerPoints::Ptr& cloud : placedClouds(clouds, given))
     lum.addPointCloud(cloud);
   PeerRun run;
   run.seconds = measureThread([&] {
@@ -130,7 +128,7 @@ runElch(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& given)
   icp->setMaximumIterations(iterations);
   icp->setMaxCorrespondenceDistance(largest_distance);
   elch.setReg(icp);
-  for (const Points::Ptr& cloud : placedClouds(clouds, given))
+  for (const PeerPoints::Ptr& cloud : placedClouds(clouds, given))
     elch.addPointCloud(cloud);
   elch.setLoopStart(0);
   elch.setLoopEnd(given.size() - 1);
@@ -145,9 +143,9 @@ runElch(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& given)
 PeerRun
 runGicpChain(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& given)
 {
-  std::vector<Points::Ptr> local;
+  std::vector<PeerPoints::Ptr> local;
   for (const auto& cloud : clouds) {
-    local.push_back(std::make_shared<Points>());
+    local.push_back(std::make_shared<PeerPoints>());
     copyPointCloud(*cloud, *local.back());
   }
   PeerRun run;
@@ -159,7 +157,7 @@ runGicpChain(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& giv
       gicp.setInputSource(local[i]);
       gicp.setInputTarget(local[i - 1]);
       const Eigen::Isometry3d guess = given[i - 1].inverse() * given[i];
-      Points aligned;
+      PeerPoints aligned;
       gicp.align(aligned, guess.cast<float>().matrix());
       run.poses.push_back(run.poses.back() * motionOf(gicp.getFinalTransformation()));
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rectification_maps.h"
+#include "rectification_runs.h"
 
 #include <utility>
 #include <vector>

@@ -1,12 +1,122 @@
 #include "rectification_runs.h"
 
-#include "timing.h"
+#include "bench.h"
+#include "bench_data.h"
+#include "simulated_clouds.h"
 
+#include <pcl/core/carmen_log.h>
 #include <pcl/core/random.h>
-
-#include <cmath>
+#include <pcl/simulation/standard_scenes.h>
 
 namespace pcl::acmap::bench {
+
+namespace {
+
+/** \param[in] every of which of its scans one is used */
+void
+addLog(const std::string& name, std::size_t every, std::vector<RectificationMap>& maps)
+{
+  const auto path = pathOfData("C_sequence/carmen2d/" + name + "-corrected.log.gz");
+  if (!path)
+    return;
+  const CarmenLog log = loadCarmenLog(*path);
+  RectificationMap& map = maps.emplace_back();
+  map.name = name;
+  for (std::size_t i = 0; i < log.scans.size(); i += every)
+    map.add(log.scans[i], log.scans[i].pose);
+}
+
+PointCloud<PointNormal>::Ptr
+cloudOf(const Consolidation& consolidation)
+{
+  const auto cloud = std::make_shared<PointCloud<PointNormal>>();
+  cloud->reserve(consolidation.representatives.size());
+  for (const Representative& representative : consolidation.representatives) {
+    PointNormal point;
+    point.getVector3fMap() = representative.point;
+    point.getNormalVector3fMap() = representative.normal;
+    point.curvature = representative.curvature;
+    cloud->push_back(point);
+  }
+  return cloud;
+}
+
+} // namespace
+
+void
+RectificationMap::add(const PlanarScan& scan, const PlanarPose& pose)
+{
+  PlanarScanPoints points = pointsOf(scan);
+  clouds.push_back(std::move(points.cloud));
+  weights.push_back(std::move(points.weights));
+  truth.push_back(pose);
+}
+
+std::vector<RectificationMap>
+makeLogMaps()
+{
+  std::vector<RectificationMap> maps;
+  addLog("intel", 4, maps);
+  addLog("csail", 2, maps);
+  addLog("orebro", 1, maps);
+  return maps;
+}
+
+std::vector<RectificationMap>
+makeLongLogMaps()
+{
+  std::vector<RectificationMap> maps;
+  addLog("infinite-corridor", 9, maps);
+  return maps;
+}
+
+RectificationMap
+makeSceneMap(const SimulatedScene& scene)
+{
+  constexpr double voxel = 0.06; // metres
+  constexpr double usual = 0.05; // metres; a voxel of this size has weight 1
+  constexpr float weight = voxel * voxel / (usual * usual);
+  RectificationMap map;
+  map.name = scene.name;
+  map.bin_size = 0.05;
+  for (std::size_t view = 0; view < scene.views.size(); ++view) {
+    const SimulatedCloud seen = makeViewCloud(scene, view);
+    Consolidation consolidation;
+    ConsolidationReport report;
+    const Cost cost =
+        measureCost([&] { consolidation = consolidate(seen, voxel, report); });
+    map.consolidation_seconds += cost.cpu;
+    map.clouds.push_back(cloudOf(consolidation));
+    map.weights.emplace_back(map.clouds.back()->size(), weight);
+    map.truth.push_back(planarPartOf(scene.views[view]));
+  }
+  return map;
+}
+
+SimulatedScene
+bareCorridor()
+{
+  constexpr std::size_t views = 40;
+  constexpr double step = 0.6, look_aside = M_PI / 6; // metres, radians
+  constexpr double begin = -10, length = 50, half = 1.2, floor = 1.25, ceiling = -1.45;
+  const Eigen::Vector3d across(2 * half, 0, 0), along(0, 0, length);
+  const Eigen::Vector3d up(0, ceiling - floor, 0);
+  SimulatedScene scene = standardScene("corridor");
+  scene.name = "bare corridor";
+  SceneGeometry& geometry = scene.geometry = SceneGeometry();
+  geometry.addRectangle("floor", "floor", {{-half, floor, begin}, across, along}, {});
+  geometry.addRectangle(
+      "ceiling", "ceiling", {{-half, ceiling, begin}, along, across}, {});
+  geometry.addRectangle("left", "left", {{-half, floor, begin}, along, up}, {});
+  geometry.addRectangle(
+      "right", "right", {{half, floor, begin + length}, -along, up}, {});
+  scene.views.clear();
+  for (std::size_t view = 0; view < views; ++view)
+    scene.views.push_back(isometryOf({0,
+                                      step * static_cast<double>(view),
+                                      view % 2 == 0 ? look_aside : -look_aside}));
+  return scene;
+}
 
 DriftModel
 robotDrift(double level)
@@ -19,8 +129,27 @@ cameraDrift()
 {
   DriftModel drift;
   drift.length_per_metre = 0.01;
-  drift.turn = 0.2 * M_PI / 180;
+  drift.turn = 0.2 * degree;
   return drift;
+}
+
+std::vector<PlanarPose>
+drifted(const std::vector<PlanarPose>& truth, const DriftModel& drift, Random& random)
+{
+  std::vector<PlanarPose> poses{truth.front()};
+  for (std::size_t i = 1; i < truth.size(); ++i) {
+    PlanarAction action = actionBetween(truth[i - 1], truth[i]);
+    const double factor = drift.is_heavy_tailed && random.uniform() < 0.1 ? 4 : 1;
+    const double way = std::hypot(action.dx, action.dz);
+    const double length = factor * (drift.length + drift.length_per_metre * way);
+    const double turn =
+        factor * (drift.turn + drift.turn_per_radian * std::abs(action.dtheta));
+    action.dx = drift.length_scale * action.dx + length * random.normal();
+    action.dz = drift.length_scale * action.dz + length * random.normal();
+    action.dtheta += turn * random.normal() + drift.turn_bias;
+    poses.push_back(moved(poses.back(), action));
+  }
+  return poses;
 }
 
 std::vector<PlanarPose>
@@ -29,18 +158,17 @@ drifted(const std::vector<PlanarPose>& truth,
         std::uint64_t seed)
 {
   Random random(seed);
-  std::vector<PlanarPose> poses{truth.front()};
-  for (std::size_t i = 1; i < truth.size(); ++i) {
-    PlanarAction action = actionBetween(truth[i - 1], truth[i]);
-    const double way = std::hypot(action.dx, action.dz);
-    const double length = drift.length + drift.length_per_metre * way;
-    const double turn = drift.turn + drift.turn_per_radian * std::abs(action.dtheta);
-    action.dx += length * random.normal();
-    action.dz += length * random.normal();
-    action.dtheta += turn * random.normal() + drift.turn_bias;
-    poses.push_back(moved(poses.back(), action));
-  }
-  return poses;
+  return drifted(truth, drift, random);
+}
+
+OdometryNoise
+timesNoise(double factor)
+{
+  const OdometryNoise usual;
+  return {factor * usual.length,
+          factor * usual.length_per_metre,
+          factor * usual.turn,
+          factor * usual.turn_per_radian};
 }
 
 RectificationRun
@@ -58,7 +186,7 @@ rectifyMap(const RectificationMap& map,
   RectificationRun run;
   run.name = map.name;
   run.given = given;
-  run.seconds = measureCost([&] { rectification.compute(); }).cpu;
+  run.seconds = measureThread([&] { rectification.compute(); });
   for (std::size_t i = 0; i < given.size(); ++i)
     run.found.push_back(planarPartOf(rectification.getPose(i)));
   run.report = rectification.getReport();
@@ -70,17 +198,10 @@ rectifyMap(const RectificationMap& map,
 std::string
 nameOf(RectificationOutcome outcome)
 {
-  switch (outcome) {
-  case RectificationOutcome::Rectified:
-    return "rectified";
-  case RectificationOutcome::Kept:
-    return "kept";
-  case RectificationOutcome::Refused:
-    return "refused";
-  case RectificationOutcome::Undetermined:
-    break;
-  }
-  return "undetermined";
+  return outcome == RectificationOutcome::Rectified ? "rectified"
+         : outcome == RectificationOutcome::Kept    ? "kept"
+         : outcome == RectificationOutcome::Refused ? "refused"
+                                                    : "undetermined";
 }
 
 } // namespace pcl::acmap::bench

@@ -1,9 +1,13 @@
 #pragma once
 
-#include "rectification_maps.h"
-
+#include <pcl/core/planar_pose.h>
+#include <pcl/core/planar_scan.h>
+#include <pcl/core/random.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/mapping/entropy_rectification.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/simulation/simulated_scene.h>
 
 #include <cstdint>
 #include <functional>
@@ -12,14 +16,47 @@
 
 namespace pcl::acmap::bench {
 
+/** \brief Observations with known true poses. */
+struct RectificationMap {
+  std::string name;
+  std::vector<PointCloud<PointNormal>::Ptr> clouds; ///< metres, sensor frames
+  std::vector<std::vector<float>> weights;          ///< one per point
+  std::vector<PlanarPose> truth;
+  double bin_size = 0.1; ///< metres, the tool's default for such observations
+  double consolidation_seconds = 0; ///< CPU time for all observations
+
+  void
+  add(const PlanarScan& scan, const PlanarPose& pose);
+};
+
+/** \brief The laser logs for which there are targets, about 200 scans of each; missing
+ * ones are reported on stderr and skipped. */
+std::vector<RectificationMap>
+makeLogMaps();
+
+/** \brief A long corridor that was not used during the development of the search. */
+std::vector<RectificationMap>
+makeLongLogMaps();
+
+/** \brief All views of a scene, consolidated one by one; poses in the scene frame. */
+RectificationMap
+makeSceneMap(const SimulatedScene& scene);
+
+/** \brief 40 views of an endless uniform corridor: the position along it is not
+ * observable. */
+SimulatedScene
+bareCorridor();
+
 /** \brief Odometry noise: standard deviations for an action of length l and turn
  * dtheta. */
 struct DriftModel {
-  double length = 0;           ///< metres, of dx and dz, for any action
-  double length_per_metre = 0; ///< added per metre of l
-  double turn = 0;             ///< radians, for any action
-  double turn_per_radian = 0;  ///< added per radian of |dtheta|
-  double turn_bias = 0;        ///< radians, the same for each action
+  double length = 0;            ///< metres, of dx and dz, for any action
+  double length_per_metre = 0;  ///< added per metre of l
+  double turn = 0;              ///< radians, for any action
+  double turn_per_radian = 0;   ///< added per radian of |dtheta|
+  double turn_bias = 0;         ///< radians, the same for each action
+  double length_scale = 1;      ///< of each length
+  bool is_heavy_tailed = false; ///< one action in ten has four times the noise
 };
 
 /** \brief Noise of a wheeled robot; level 1 is typical, other levels are factors. */
@@ -32,9 +69,16 @@ cameraDrift();
 
 /** \brief Poses from simulated odometry, starting with the true first pose. */
 std::vector<PlanarPose>
+drifted(const std::vector<PlanarPose>& truth, const DriftModel& drift, Random& random);
+
+std::vector<PlanarPose>
 drifted(const std::vector<PlanarPose>& truth,
         const DriftModel& drift,
         std::uint64_t seed);
+
+/** \brief The usual noise that is told to the rectification, times a factor. */
+OdometryNoise
+timesNoise(double factor);
 
 /** \brief Result of rectifying a map. */
 struct RectificationRun {

@@ -1,12 +1,10 @@
+#include "bench.h"
 #include "light/rig_simulation.h"
-#include "markdown_row.h"
-#include "peak_memory.h"
+#include "paper_patterns.h"
+#include "picture_sheet.h"
+#include "processes.h"
 #include "random_streams.h"
-#include "sections.h"
-#include "shot_picture.h"
-#include "timing.h"
 
-#include <pcl/acquisition/random_line_pattern.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
 #include <pcl/simulation/simulated_truth.h>
@@ -17,24 +15,33 @@
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr char usage[] =
-    "Usage: acmap_bench_simulation_figures [time] [picture]\n"
-    "Prints what simulated shots take, as a Markdown table, and writes pictures of "
-    "some\n"
-    "of them and of a pattern, simulated_shots.png and line_pattern.png.\n";
-
-constexpr std::uint32_t patterns = 10; // as in the paper
 constexpr std::uint64_t seed = 1;
 constexpr double max_seconds = 1.0; // CPU, per observation
 
-std::vector<RgbImage>
-drawPatterns()
+/** Shots as in the figures of the paper, scaled to a third. Above, Fig. 2, first row: the
+ * reference image with the projector off, then under three patterns. Below, the left and
+ * the top camera under the first pattern; and Fig. 3, left column: the reference image
+ * with the projector off at two places of the corridor. */
+void
+saveShotPicture(const std::string& path, const RigSimulation& simulation)
 {
-  RandomLinePattern lines;
-  std::vector<RgbImage> images;
-  for (std::uint32_t i = 0; i < patterns; ++i)
-    images.push_back(lines.generate(i));
-  return images;
+  constexpr std::size_t place = 8, other_places[] = {21, 60}, off = 0;
+  constexpr int columns = 4, smaller = 3;
+  const auto reference =
+      [&](const LitViews& views, std::size_t view, std::size_t shot) {
+        return simulation.shoot(views, view, shot, seed)->image(RigCamera::Reference);
+      };
+  const LitViews here = simulation.cast(place);
+  PictureSheet sheet(columns, 2, here[0].width, here[0].height, smaller);
+  for (int column = 0; column < columns; ++column)
+    sheet.put(column, 0, reference(here, place, static_cast<std::size_t>(column)));
+  const auto lit = simulation.shoot(here, place, 1, seed);
+  sheet.put(0, 1, lit->image(RigCamera::Horizontal));
+  sheet.put(1, 1, lit->image(RigCamera::Vertical));
+  int column = 2;
+  for (const std::size_t other : other_places)
+    sheet.put(column++, 1, reference(simulation.cast(other), other, off));
+  sheet.save(path);
 }
 
 RigSimulation
@@ -45,33 +52,6 @@ simulationOf(const std::string& name)
   return RigSimulation(std::move(scene), drawPatterns(), {}, std::move(cameras));
 }
 
-/** CPU seconds of an observation on one thread. */
-struct ShotCosts {
-  double cast, shade, noise, truth;
-};
-
-ShotCosts
-measure(const RigSimulation& simulation, std::size_t observation)
-{
-  ShotCosts costs{};
-  LitViews views;
-  costs.cast = measureThread([&] { views = simulation.cast(observation); });
-  costs.shade = measureThread([&] {
-    for (std::size_t shot = 0; shot < simulation.shotsOfObservation(); ++shot)
-      simulation.shoot(views, observation, shot, seed);
-  });
-  const TrinocularRig& rig = simulation.scene().rig;
-  std::vector<float> row(3 * static_cast<std::size_t>(rig.width));
-  const std::size_t rows = views.size() * static_cast<std::size_t>(rig.height) *
-                           simulation.shotsOfObservation();
-  costs.noise = measureThread([&] {
-    for (std::size_t i = 0; i < rows; ++i)
-      fillNormal(i, row.data(), row.size());
-  });
-  costs.truth = measureThread([&] { truthOf(simulation.scene(), observation); });
-  return costs;
-}
-
 void
 printTimes(const std::string& name)
 {
@@ -79,82 +59,68 @@ printTimes(const std::string& name)
   const RigSimulation simulation = simulationOf(name);
   std::vector<double> cast, shade, noise, truth, all;
   withThreads(1, [&] {
-    for (std::size_t i = 0; i < rounds; ++i) {
-      const ShotCosts costs = measure(simulation, 4 * i);
-      cast.push_back(costs.cast);
-      shade.push_back(costs.shade);
-      noise.push_back(costs.noise);
-      truth.push_back(costs.truth);
-      all.push_back(costs.cast + costs.shade);
+    for (std::size_t i = 0; i < 4 * rounds; i += 4) {
+      LitViews views;
+      cast.push_back(measureThread([&] { views = simulation.cast(i); }));
+      shade.push_back(measureThread([&] {
+        for (std::size_t shot = 0; shot < simulation.shotsOfObservation(); ++shot)
+          simulation.shoot(views, i, shot, seed);
+      }));
+      const TrinocularRig& rig = simulation.scene().rig;
+      std::vector<float> row(3 * static_cast<std::size_t>(rig.width));
+      const std::size_t rows = views.size() * static_cast<std::size_t>(rig.height) *
+                               simulation.shotsOfObservation();
+      noise.push_back(measureThread([&] {
+        for (std::size_t k = 0; k < rows; ++k)
+          fillNormal(k, row.data(), row.size());
+      }));
+      truth.push_back(measureThread([&] { truthOf(simulation.scene(), i); }));
+      all.push_back(cast.back() + shade.back());
     }
   });
-  MarkdownRow()
-      .text(name)
-      .number(median(cast), 3)
-      .number(median(shade), 3)
-      .number(median(noise), 3)
-      .atMost(median(all), max_seconds, 3)
-      .number(median(truth), 3)
-      .print();
+  Row() << name << figure(median(cast), 3) << figure(median(shade), 3)
+        << figure(median(noise), 3) << atMost(median(all), max_seconds, 3)
+        << figure(median(truth), 3);
 }
 
+const Section times("time", [] {
+  printHead("scene | casting 3 views, s | 11 shots of them, s | of it noise, s | an "
+            "observation, s | truth, s");
+  for (const char* const name : {"corridor", "office"})
+    printTimes(name);
+});
+
 /** Simulates every shot of the corridor without storing it. */
-void
-printSession()
-{
+const Section session("session", [] {
+  printHead("observations | frames | CPU, s | an observation, s | memory beside scene "
+            "and patterns, MiB");
   SimulatedRigGrabber grabber(standardScene("corridor"), drawPatterns());
   std::size_t frames = 0;
   const std::function<TrinocularGrabber::FrameCallback> count =
       [&](const TrinocularFrame::ConstPtr&) { ++frames; };
   grabber.registerCallback(count);
   const PeakMemory memory;
-  const double begin = processSeconds();
-  grabber.start();
-  grabber.wait();
-  const double seconds = processSeconds() - begin;
+  const double seconds = measureCost([&] {
+                           grabber.start();
+                           grabber.wait();
+                         }).cpu;
   const std::size_t observations = grabber.getNumberOfObservations();
   constexpr double mebibyte = 1 << 20;
-  MarkdownRow()
-      .count(observations)
-      .count(frames)
-      .number(seconds, 1)
-      .atMost(seconds / static_cast<double>(observations), max_seconds, 3)
-      .number(static_cast<double>(memory.bytes()) / mebibyte, 0)
-      .print();
-}
+  Row() << observations << frames << figure(seconds, 1)
+        << atMost(seconds / static_cast<double>(observations), max_seconds, 3)
+        << figure(static_cast<double>(memory.bytes()) / mebibyte, 0);
+});
+
+const Section picture(
+    "picture",
+    [] {
+      saveShotPicture("simulated_shots.png", simulationOf("corridor"));
+      const RgbImage pattern = RandomLinePattern().generate(0);
+      PictureSheet sheet(1, 1, pattern.width, pattern.height, 2);
+      sheet.put(0, 0, {pattern.width, pattern.height, 3, pattern.values});
+      sheet.save("line_pattern.png");
+    },
+    SectionUse::WhenNamed);
 
 } // namespace
 } // namespace pcl::acmap::bench
-
-int
-main(int argc, char** argv)
-{
-  using namespace pcl::acmap::bench;
-  Sections sections;
-  if (const auto exit_code =
-          Sections::read(argc, argv, {"time", "session", "picture"}, usage, sections))
-    return *exit_code;
-  if (sections.isWanted("time")) {
-    printHead({"scene",
-               "casting 3 views, s",
-               "11 shots of them, s",
-               "of it noise, s",
-               "an observation, s",
-               "truth, s"});
-    for (const char* const name : {"corridor", "office"})
-      printTimes(name);
-  }
-  if (sections.isWanted("session")) {
-    printHead({"observations",
-               "frames",
-               "CPU, s",
-               "an observation, s",
-               "memory beside scene and patterns, MiB"});
-    printSession();
-  }
-  if (sections.isWanted("picture")) {
-    saveShotPicture("simulated_shots.png", simulationOf("corridor"));
-    savePatternPicture("line_pattern.png", pcl::RandomLinePattern().generate(0));
-  }
-  return 0;
-}

@@ -1,19 +1,59 @@
-#include "stereo_bag.h"
-#include "disparity_errors.h"
-#include "markdown_row.h"
-#include "sgbm_disparity.h"
-#include "stereo_tables.h"
+#include "bench.h"
+#include "bench_data.h"
+#include "stereo_methods.h"
+#include "stereo_shots.h"
 
 #include <pcl/core/random.h>
 #include <pcl/stereo/disparity_fusion.h>
+#include <pcl/stereo/trinocular_matching.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 namespace pcl::acmap::bench {
 namespace {
+
+constexpr char shots_folder[] = "B_active/bag_random_lines_N10/";
+constexpr char code_folder[] = "B_active/graycode_bag_rect_half/";
+
+TrinocularFrame::ConstPtr
+loadPair(const std::string& folder, const std::string& number, std::int32_t pattern)
+{
+  return frameOf(loadGreyImage(folder + "L_" + number + ".png"),
+                 loadGreyImage(folder + "R_" + number + ".png"),
+                 pattern);
+}
+
+constexpr int bag_minimum = 48;     ///< px, start of the search range
+constexpr int bag_disparities = 64; ///< px, size of the search range
+
+/** A bag in front of a wall under ten patterns of random lines, seen by two cameras. The
+ * images are computed from 46 real captures under Gray-code patterns, since light is
+ * additive, and therefore have less noise than real shots. The truth, for half of the
+ * pixels, is decoded from the same captures: +-0.25 px.
+ * \return nothing, with a message, if the images are missing */
+std::optional<StereoShots>
+loadBag()
+{
+  constexpr double focal_length = 1851.6711, baseline = 0.0399255; // from its calib.txt
+  const auto truth = pathOfData(std::string(code_folder) + "gt_disp_left.pfm");
+  if (!truth || !pathOfData(std::string(shots_folder) + "R_09.png"))
+    return std::nullopt;
+  StereoShots bag = binocularShots(1024, 750, focal_length, baseline);
+  for (int i = 0; i < 10; ++i)
+    bag.frames.push_back(loadPair(shots_folder, "0" + std::to_string(i), i));
+  bag.truth = loadPfm(*truth);
+  return bag;
+}
+
+/** The matching, with the search range for the bag. */
+TrinocularMatching
+bagMatching()
+{
+  TrinocularMatching matching;
+  matching.setXOffset(bag_minimum);
+  matching.setMaxDisparity(bag_disparities);
+  return matching;
+}
 
 /** A common setting, and the best one here. */
 constexpr std::array<int, 2> sgbm_prefilters = {31, 63};
@@ -46,15 +86,10 @@ public:
   print(const std::string& name, std::size_t shots, const BagTargets& reach = {}) const
   {
     constexpr int digits = 3;
-    MarkdownRow()
-        .text(name)
-        .count(shots)
-        .atMost(all_.bad(), reach.bad, digits)
-        .number(max_bad_, digits)
-        .number(all_.wrong(), digits)
-        .atMost(all_.medianError(), reach.error, digits)
-        .atMost(all_.rms(), reach.rms, digits)
-        .print();
+    Row() << name << shots << atMost(all_.bad(), reach.bad, digits)
+          << figure(max_bad_, digits) << figure(all_.wrong(), digits)
+          << atMost(all_.medianError(), reach.error, digits)
+          << atMost(all_.rms(), reach.rms, digits);
   }
 
 private:
@@ -64,17 +99,8 @@ private:
   double max_bad_ = 0;
 };
 
-void
-printMethodHead()
-{
-  printHead({"method",
-             "shots",
-             "bad > 1 px or missing, %",
-             "of the worst, %",
-             "of it wrong, %",
-             "median error, px",
-             "RMS of errors to 1 px"});
-}
+constexpr char titles[] = "method | shots | bad > 1 px or missing, % | of the worst, % "
+                          "| of it wrong, % | median error, px | RMS of errors to 1 px";
 
 void
 printSgbm(const std::string& name,
@@ -120,16 +146,8 @@ printFused(const std::string& name,
            DisparityFusion::Method method,
            const BagTargets& reach)
 {
-  DisparityFusion fusion;
-  fusion.setMatching(bagMatching());
-  fusion.setMethod(method);
-  fusion.setInputRig(bag.rig);
-  for (const TrinocularFrame::ConstPtr& frame : bag.frames)
-    fusion.addShot(frame);
-  MatchedDisparity fused;
-  fusion.fuse(fused);
   MethodErrors errors(bag);
-  errors.add(fused.disparity);
+  errors.add(fusedDisparity(bag, method, bagMatching()).disparity);
   errors.print("acmap, " + name, bag.frames.size(), reach);
 }
 
@@ -145,53 +163,46 @@ noisy(CameraImage image, Random& random)
   return image;
 }
 
-void
-addNoise(StereoShots& bag)
-{
+const Section bag_section("bag", [] {
+  const auto bag = loadBag();
+  if (!bag)
+    return;
+  printHead(titles);
+  for (const int prefilter : sgbm_prefilters) {
+    // under white light of the projector
+    const std::vector<TrinocularFrame::ConstPtr> passive{
+        loadPair(code_folder, "44", 0)};
+    printSgbm("projector white, no pattern", *bag, passive, prefilter);
+    printSgbm("one pattern", *bag, bag->frames, prefilter);
+  }
+  printTogether(*bag, 1, {3.0, no_reach, no_reach});
+  for (const std::size_t shots : {2U, 3U})
+    printTogether(*bag, shots, {});
+  printTogether(*bag, 5, {0.3, no_reach, no_reach});
+  printTogether(*bag, 10, {0.15, 0.085, 0.14});
+  printFused(
+      "median", *bag, DisparityFusion::Method::Median, {1.3, no_reach, no_reach});
+  printFused("statistical", *bag, DisparityFusion::Method::Statistical, {});
+});
+
+const Section noise_section("noise", [] {
+  auto bag = loadBag();
+  if (!bag)
+    return;
   Random random(1);
-  for (TrinocularFrame::ConstPtr& frame : bag.frames) {
+  for (TrinocularFrame::ConstPtr& frame : bag->frames) {
     CameraImage reference = noisy(frame->image(RigCamera::Reference), random);
     CameraImage neighbour = noisy(frame->image(RigCamera::Horizontal), random);
     frame = frameOf(std::move(reference), std::move(neighbour), frame->pattern);
   }
-}
+  printHead(titles);
+  for (const int prefilter : sgbm_prefilters)
+    printSgbm("one pattern", *bag, bag->frames, prefilter);
+  printTogether(*bag, 1, {});
+  printTogether(*bag, 10, {0.3, no_reach, no_reach});
+  printFused("median", *bag, DisparityFusion::Method::Median, {});
+  printFused("statistical", *bag, DisparityFusion::Method::Statistical, {});
+});
 
 } // namespace
-
-void
-printBag()
-{
-  if (!hasBag("bag"))
-    return;
-  const StereoShots bag = loadBag();
-  printMethodHead();
-  for (const int prefilter : sgbm_prefilters) {
-    printSgbm("projector white, no pattern", bag, {loadPassiveBag()}, prefilter);
-    printSgbm("one pattern", bag, bag.frames, prefilter);
-  }
-  printTogether(bag, 1, {3.0, no_reach, no_reach});
-  for (const std::size_t shots : {2U, 3U})
-    printTogether(bag, shots, {});
-  printTogether(bag, 5, {0.3, no_reach, no_reach});
-  printTogether(bag, 10, {0.15, 0.085, 0.14});
-  printFused("median", bag, DisparityFusion::Method::Median, {1.3, no_reach, no_reach});
-  printFused("statistical", bag, DisparityFusion::Method::Statistical, {});
-}
-
-void
-printNoise()
-{
-  if (!hasBag("noise"))
-    return;
-  StereoShots bag = loadBag();
-  addNoise(bag);
-  printMethodHead();
-  for (const int prefilter : sgbm_prefilters)
-    printSgbm("one pattern", bag, bag.frames, prefilter);
-  printTogether(bag, 1, {});
-  printTogether(bag, 10, {0.3, no_reach, no_reach});
-  printFused("median", bag, DisparityFusion::Method::Median, {});
-  printFused("statistical", bag, DisparityFusion::Method::Statistical, {});
-}
-
 } // namespace pcl::acmap::bench

@@ -1,18 +1,69 @@
-#include "disparity_errors.h"
-#include "markdown_row.h"
-#include "sgbm_disparity.h"
-#include "simulated_shots.h"
-#include "stereo_tables.h"
-#include "units.h"
-#include "wall_fit.h"
+#include "bench.h"
+#include "stereo_methods.h"
+#include "stereo_shots.h"
 
+#include <pcl/core/impl/moments.h>
+#include <pcl/simulation/simulated_truth.h>
 #include <pcl/stereo/disparity_fusion.h>
+#include <pcl/stereo/matched_disparity.h>
 
-#include <algorithm>
+#include <opencv2/core/utility.hpp>
+
 #include <functional>
 
 namespace pcl::acmap::bench {
 namespace {
+
+/** \brief Statistics of a plane fit to the points of a wall. */
+struct WallFit {
+  double rms = 0;      ///< metres, distances of the points from the plane
+  double expected = 0; ///< metres, the value expected from the standard deviations
+  double offset = 0;   ///< metres, distance from the true plane at the centroid of the
+                       ///< points
+  double turn = 0;     ///< rad, between their normals
+};
+
+/** Fits a plane to the matched pixels of surface 0 within 1 px of the truth.
+ * \param[in] mask pixels that are used */
+WallFit
+fitWall(const MatchedDisparity& found,
+        const SimulatedTruth& truth,
+        const PixelMask& mask,
+        const TrinocularRig& rig)
+{
+  std::vector<std::size_t> pixels;
+  for (std::size_t i = 0; i < mask.size(); ++i)
+    if (mask[i] != 0 && truth.surfaces[i] == 0 &&
+        std::abs(found.disparity.values[i] - truth.horizontal.values[i]) <=
+            DisparityErrors::bad_error)
+      pixels.push_back(i);
+  // moments are about a point of the true wall
+  const Eigen::Vector3d origin =
+      pointOf(rig, pixels.front(), truth.horizontal.values[pixels.front()]);
+  const auto planeOf = [&](const DisparityImage& disparities) {
+    Moments moments;
+    for (const std::size_t i : pixels)
+      moments += momentsOf(pointOf(rig, i, disparities.values[i]) - origin);
+    PlaneFit plane = fitPlane(moments);
+    plane.mean += origin;
+    if (plane.normal.z() < 0) // pointing away from the camera
+      plane.normal = -plane.normal;
+    return plane;
+  };
+  const PlaneFit plane = planeOf(found.disparity), exact = planeOf(truth.horizontal);
+  std::vector<double> offs, steps;
+  for (const std::size_t i : pixels) {
+    const Eigen::Vector3d point = pointOf(rig, i, found.disparity.values[i]);
+    offs.push_back(std::pow(plane.normal.dot(point - plane.mean), 2));
+    // A disparity error moves its point along the ray.
+    steps.push_back(std::pow(
+        plane.normal.dot(point) * found.sigma[i] / found.disparity.values[i], 2));
+  }
+  return {std::sqrt(meanOf(offs)),
+          std::sqrt(meanOf(steps)),
+          exact.normal.dot(plane.mean - exact.mean),
+          std::asin(plane.normal.cross(exact.normal).norm())};
+}
 
 /** Targets for a method on pixels that can be matched. */
 struct SimulatedTargets {
@@ -118,16 +169,7 @@ onePattern(const StereoShots& shots)
 Method
 fusedBy(DisparityFusion::Method method)
 {
-  return [method](const StereoShots& shots) {
-    DisparityFusion fusion;
-    fusion.setMethod(method);
-    fusion.setInputRig(shots.rig);
-    for (const TrinocularFrame::ConstPtr& frame : shots.frames)
-      fusion.addShot(frame);
-    MatchedDisparity fused;
-    fusion.fuse(fused);
-    return fused;
-  };
+  return [method](const StereoShots& shots) { return fusedDisparity(shots, method); };
 }
 
 MatchedDisparity
@@ -178,85 +220,55 @@ measureMethods(const std::vector<SimulatedShots>& views)
 void
 printErrors(const std::vector<NamedFigures>& all)
 {
-  printHead({"lit pixels that a neighbour sees",
-             "pixels",
-             "bad > 1 px or missing, %",
-             "of it wrong, %",
-             "median error, px",
-             "RMS of errors to 1 px",
-             "locking of means, px",
-             "of medians, px"});
+  printHead("lit pixels that a neighbour sees | pixels | bad > 1 px or missing, % | of "
+            "it wrong, % | median error, px | RMS of errors to 1 px | locking of "
+            "means, px | of medians, px");
   for (const NamedFigures& one : all) {
     const DisparityErrors& errors = one.figures.matchable;
-    MarkdownRow()
-        .text(one.name)
-        .count(errors.judged())
-        .atMost(errors.bad(), one.reach.bad, 3)
-        .number(errors.wrong(), 3)
-        .atMost(errors.medianError(), one.reach.error, 4)
-        .number(errors.rms(), 4)
-        .atMost(one.figures.fractions.lockingOfMeans(), one.reach.locking, 4)
-        .atMost(one.figures.fractions.lockingOfMedians(), one.reach.locking, 4)
-        .print();
+    Row() << one.name << errors.judged() << atMost(errors.bad(), one.reach.bad, 3)
+          << figure(errors.wrong(), 3)
+          << atMost(errors.medianError(), one.reach.error, 4) << figure(errors.rms(), 4)
+          << atMost(one.figures.fractions.lockingOfMeans(), one.reach.locking, 4)
+          << atMost(one.figures.fractions.lockingOfMedians(), one.reach.locking, 4);
   }
 }
 
 void
 printAstray(const std::vector<NamedFigures>& all)
 {
-  printHead({"pixels that cannot be matched",
-             "unlit",
-             "wrong there, %",
-             "a disparity there, %",
-             "lit but hidden",
-             "wrong there, %",
-             "a disparity there, %"});
+  printHead("pixels that cannot be matched | unlit | wrong there, % | a disparity "
+            "there, % | lit but hidden | wrong there, % | a disparity there, %");
   for (const NamedFigures& one : all)
-    MarkdownRow()
-        .text(one.name)
-        .count(one.figures.unlit.judged())
-        .atMost(one.figures.unlit.wrong(), one.reach.astray, 2)
-        .number(one.figures.unlit.present(), 2)
-        .count(one.figures.unseen.judged())
-        .atMost(one.figures.unseen.wrong(), one.reach.astray, 2)
-        .number(one.figures.unseen.present(), 2)
-        .print();
+    Row() << one.name << one.figures.unlit.judged()
+          << atMost(one.figures.unlit.wrong(), one.reach.astray, 2)
+          << figure(one.figures.unlit.present(), 2) << one.figures.unseen.judged()
+          << atMost(one.figures.unseen.wrong(), one.reach.astray, 2)
+          << figure(one.figures.unseen.present(), 2);
 }
 
 void
 printSigmas(const std::vector<NamedFigures>& all)
 {
   constexpr double honest = 0.3; // maximum deviation from 1
-  printHead({"standard deviations",
-             "RMS of error / sigma, less 1",
-             "mean sigma, px",
-             "RMS of errors, px",
-             "wall: RMS off the fitted plane, mm",
-             "the same by sigma, mm",
-             "fitted plane off the true one, mm",
-             "turned, mrad"});
+  printHead("standard deviations | RMS of error / sigma, less 1 | mean sigma, px | RMS "
+            "of errors, px | wall: RMS off the fitted plane, mm | the same by sigma, "
+            "mm | fitted plane off the true one, mm | turned, mrad");
   for (const NamedFigures& one : all) {
     if (one.figures.walls.empty())
       continue;
-    const WallFit wall = meanOf(one.figures.walls);
-    MarkdownRow()
-        .text(one.name)
-        .within(one.figures.sigmas.ratio() - 1, honest, 3)
-        .number(one.figures.sigmas.meanSigma(), 4)
-        .number(one.figures.matchable.rms(), 4)
-        .number(milli * wall.rms, 2)
-        .number(milli * wall.expected, 2)
-        .number(milli * wall.offset, 2)
-        .number(milli * wall.turn, 2)
-        .print();
+    const auto wall = [&](double WallFit::*figure_of) {
+      return milli * meanOf(valuesOf(one.figures.walls,
+                                     [&](auto& fit) { return fit.*figure_of; }));
+    };
+    Row() << one.name << within(one.figures.sigmas.ratio() - 1, honest, 3)
+          << figure(one.figures.sigmas.meanSigma(), 4)
+          << figure(one.figures.matchable.rms(), 4) << figure(wall(&WallFit::rms), 2)
+          << figure(wall(&WallFit::expected), 2) << figure(wall(&WallFit::offset), 2)
+          << figure(wall(&WallFit::turn), 2);
   }
 }
 
-} // namespace
-
-void
-printSimulated()
-{
+const Section simulated_section("simulated", [] {
   const SimulatedScene scene = wallWithBox();
   std::vector<SimulatedShots> views;
   for (std::size_t view = 0; view < scene.views.size(); ++view)
@@ -265,30 +277,88 @@ printSimulated()
   printErrors(all);
   printAstray(all);
   printSigmas(all);
-}
+});
 
-void
-printSubpixel()
-{
+const Section subpixel_section("subpixel", [] {
   const std::vector<SimulatedShots> views = {takeShots(slantedWall(), 0)};
   const auto spacetime = fusedBy(DisparityFusion::Method::SpaceTime);
-  const MethodFigures sgbm = figuresOf(views, false, sgbmMedian);
-  const MethodFigures median =
-      figuresOf(views, false, fusedBy(DisparityFusion::Method::Median));
-  const MethodFigures two = figuresOf(views, false, spacetime);
-  const MethodFigures three = figuresOf(views, true, spacetime);
-  printHead({"fraction of the true disparity, from",
-             "OpenCV SGBM, median: mean error, px",
-             "acmap, median, two views",
-             "acmap, space-time, two views",
-             "acmap, space-time, three views"});
+  const MethodFigures all[] = {
+      figuresOf(views, false, sgbmMedian),
+      figuresOf(views, false, fusedBy(DisparityFusion::Method::Median)),
+      figuresOf(views, false, spacetime),
+      figuresOf(views, true, spacetime)};
+  printHead("fraction of the true disparity, from | OpenCV SGBM, median: mean error, "
+            "px | acmap, median, two views | acmap, space-time, two views | acmap, "
+            "space-time, three views");
   for (std::size_t bin = 0; bin < FractionErrors::bins; ++bin) {
-    MarkdownRow row;
-    row.number(static_cast<double>(bin) / FractionErrors::bins, 2);
-    for (const MethodFigures* figures : {&sgbm, &median, &two, &three})
-      row.number(figures->fractions.meanOf(bin), 4);
-    row.print();
+    Row row;
+    row << figure(static_cast<double>(bin) / FractionErrors::bins, 2);
+    for (const MethodFigures& figures : all)
+      row << figure(figures.fractions.meanOfBin(bin), 4);
   }
+});
+
+/** The minimum CPU seconds of several runs. */
+double
+leastSeconds(const std::function<void()>& function)
+{
+  std::vector<double> seconds;
+  for (int round = 0; round < 5; ++round)
+    seconds.push_back(measureCost(function).cpu);
+  return quantile(seconds, 0);
 }
 
+double
+fusionSeconds(const StereoShots& shots, DisparityFusion::Method method)
+{
+  DisparityFusion fusion; // reused, as in a program, so that its memory is too
+  fusion.setMethod(method);
+  fusion.setInputRig(shots.rig);
+  MatchedDisparity fused;
+  return leastSeconds([&] {
+    fusion.clear();
+    for (const TrinocularFrame::ConstPtr& frame : shots.frames)
+      fusion.addShot(frame);
+    fusion.fuse(fused);
+  });
+}
+
+double
+singleSeconds(const StereoShots& shots)
+{
+  TrinocularMatching matching;
+  matching.setInputRig(shots.rig);
+  MatchedDisparity matched;
+  return leastSeconds([&] { matching.match(*shots.frames.front(), matched); });
+}
+
+const Section time_section("time", [] {
+  using Fusion = DisparityFusion::Method;
+  constexpr double max_frames = 3; // of SGBM, for an observation by space-time
+  const StereoShots three = takeShots(wallWithBox(), 0).shots;
+  const StereoShots two = withoutVertical(three);
+  cv::setNumThreads(1);
+  SgbmSetting unpadded;
+  unpadded.padded = false;
+  const double sgbm =
+      leastSeconds([&] { sgbmDisparity(*three.frames.front(), three.rig, unpadded); });
+  printHead("640 × 480 pixels, 64 disparities | CPU, s | frames of OpenCV SGBM");
+  const auto print = [&](const char* name, double seconds, double reach = no_reach) {
+    Row() << name << figure(seconds, 3) << atMost(seconds / sgbm, reach, 2);
+  };
+  print("OpenCV SGBM, one pattern, two views", sgbm);
+  print("acmap, one pattern, two views", singleSeconds(two));
+  print("acmap, one pattern, three views", singleSeconds(three));
+  print("acmap, space-time, 10 patterns, two views",
+        fusionSeconds(two, Fusion::SpaceTime));
+  print("acmap, space-time, 10 patterns, three views",
+        fusionSeconds(three, Fusion::SpaceTime),
+        max_frames);
+  print("acmap, median, 10 patterns, three views",
+        fusionSeconds(three, Fusion::Median));
+  print("acmap, statistical, 10 patterns, three views",
+        fusionSeconds(three, Fusion::Statistical));
+});
+
+} // namespace
 } // namespace pcl::acmap::bench

@@ -1,43 +1,221 @@
-#include "image_similarity.h"
-#include "map_raycast.h"
-#include "markdown_row.h"
-#include "sections.h"
+#include "bench.h"
+#include "meshes.h"
 #include "simulated_clouds.h"
-#include "temporary_folder.h"
-#include "texture_seams.h"
-#include "timing.h"
-#include "voted_hypotheses.h"
-#include "voted_mesh.h"
-
-#include "atlas/chart_picture.h"
+#include "texturing/canvas.h"
 #include "texturing/canvas_painting.h"
+#include "voted_hypotheses.h"
 
+#include <pcl/core/compact_map.h>
 #include <pcl/core/random.h>
-#include <pcl/texture/compact_map_folder.h>
+#include <pcl/core/trinocular_rig.h>
+#include <pcl/simulation/ray_casting.h>
 
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <iostream>
-#include <set>
+#include <Eigen/Geometry>
 
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr char usage[] =
-    "Usage: acmap_bench_texture_figures [views] [exposure] [stored]\n"
-    "Prints how well the views of the corridor are drawn again from its compact map,\n"
-    "and what is seen of the borders between views, as Markdown tables. With exposure "
-    "the\n"
-    "views are brighter and darker by up to a quarter; with stored the map is saved "
-    "with\n"
-    "several tolerances of its colours and loaded again.\n";
+constexpr std::size_t side = 8, stride = 4;
+
+double
+brightness(const std::vector<std::uint8_t>& image, std::size_t pixel)
+{
+  return 0.299 * image[3 * pixel] + 0.587 * image[3 * pixel + 1] +
+         0.114 * image[3 * pixel + 2];
+}
+
+/** Structural similarity (SSIM) of the brightness of two images, mean over windows of 8 x
+ * 8 pixels, 4 apart; windows with unknown pixels are ignored.
+ * \param[in] a, b three values per pixel
+ * \param[in] is_known one value per pixel */
+double
+structuralSimilarity(const std::vector<std::uint8_t>& a,
+                     const std::vector<std::uint8_t>& b,
+                     const std::vector<std::uint8_t>& is_known,
+                     std::size_t width)
+{
+  constexpr double count = side * side;
+  constexpr double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
+  const std::size_t height = is_known.size() / width;
+  std::vector<double> similarities;
+  for (std::size_t top = 0; top + side <= height; top += stride)
+    for (std::size_t left = 0; left + side <= width; left += stride) {
+      Eigen::Vector2d sum(0, 0);
+      Eigen::Matrix2d products = Eigen::Matrix2d::Zero();
+      bool is_whole = true;
+      for (std::size_t row = top; row < top + side && is_whole; ++row)
+        for (std::size_t column = left; column < left + side; ++column) {
+          const std::size_t pixel = row * width + column;
+          is_whole = is_whole && is_known[pixel];
+          const Eigen::Vector2d both(brightness(a, pixel), brightness(b, pixel));
+          sum += both;
+          products += both * both.transpose();
+        }
+      if (!is_whole)
+        continue;
+      const Eigen::Vector2d mean = sum / count;
+      const Eigen::Matrix2d scatter = products / count - mean * mean.transpose();
+      similarities.push_back((2 * mean.prod() + c1) * (2 * scatter(0, 1) + c2) /
+                             ((mean.squaredNorm() + c1) * (scatter.trace() + c2)));
+    }
+  return meanOf(similarities);
+}
+
+/** \brief A view of a compact map: for each pixel the colour of the first chart that
+ * its ray intersects. */
+struct RaycastImage {
+  std::vector<std::uint8_t> rgb;      ///< 3 per pixel, in row-major order from the top
+  std::vector<std::uint8_t> is_known; ///< one per pixel: a texel with colour was hit
+};
+
+/** Intersection of a ray with a chart, in texels; NaN if there is none. */
+struct ChartHit {
+  double distance = std::numeric_limits<double>::infinity();
+  Eigen::Vector2d texel;
+};
+
+ChartHit
+meet(const TextureChart& chart, const Eigen::Vector3d& eye, const Eigen::Vector3d& ray)
+{
+  const Eigen::Vector3d normal = chart.texel_v.cross(chart.texel_u);
+  const double along = normal.dot(ray);
+  ChartHit meeting;
+  if (!(along < 0)) // the back side
+    return meeting;
+  const double distance = normal.dot(chart.origin - eye) / along;
+  if (!(distance > 0))
+    return meeting;
+  const Eigen::Vector3d way = eye + distance * ray - chart.origin;
+  meeting.texel = {way.dot(chart.texel_u) / chart.texel_u.squaredNorm(),
+                   way.dot(chart.texel_v) / chart.texel_v.squaredNorm()};
+  const auto column = static_cast<std::int64_t>(std::floor(meeting.texel.x()));
+  const auto row = static_cast<std::int64_t>(std::floor(meeting.texel.y()));
+  if (column < 0 || row < 0 || column >= chart.colors.width ||
+      row >= chart.colors.height)
+    return meeting;
+  if (chart.kinds[static_cast<std::size_t>(row * chart.colors.width + column)] !=
+      TexelKind::None)
+    meeting.distance = distance;
+  return meeting;
+}
+
+/** Bilinear interpolation between the centres of four texels. */
+Eigen::Vector3d
+colorAt(const TextureChart& chart, const Eigen::Vector2d& texel)
+{
+  const Eigen::Vector2d place = texel.array() - 0.5;
+  const Eigen::Vector2d corner = place.array().floor();
+  const Eigen::Vector2d share = place - corner;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int r = 0; r < 2; ++r)
+    for (int c = 0; c < 2; ++c) {
+      const int column =
+          std::clamp(static_cast<int>(corner.x()) + c, 0, chart.colors.width - 1);
+      const int row =
+          std::clamp(static_cast<int>(corner.y()) + r, 0, chart.colors.height - 1);
+      const std::uint8_t* color = chart.colors.at(column, row);
+      sum += (c ? share.x() : 1 - share.x()) * (r ? share.y() : 1 - share.y()) *
+             Eigen::Vector3d(color[0], color[1], color[2]);
+    }
+  return sum;
+}
+
+RaycastImage
+castMap(const CompactMap& map,
+        const TrinocularRig& rig,
+        const Eigen::Isometry3d& T_map_camera)
+{
+  RaycastImage view;
+  const Eigen::Vector3d eye = T_map_camera.translation();
+  for (int row = 0; row < rig.height; ++row)
+    for (int column = 0; column < rig.width; ++column) {
+      const Eigen::Vector3d ray = T_map_camera.linear() * pixelRay(rig, column, row);
+      ChartHit nearest;
+      const TextureChart* hit = nullptr;
+      for (const TextureChart& chart : map.charts) {
+        const ChartHit next = meet(chart, eye, ray);
+        if (next.distance < nearest.distance) {
+          nearest = next;
+          hit = &chart;
+        }
+      }
+      view.is_known.push_back(hit ? 1 : 0);
+      const Eigen::Vector3d color =
+          hit ? colorAt(*hit, nearest.texel) : Eigen::Vector3d::Zero();
+      for (int k = 0; k < 3; ++k)
+        view.rgb.push_back(static_cast<std::uint8_t>(std::lround(color[k])));
+    }
+  return view;
+}
+
+/** \brief Brightness differences between neighbouring observed texels, of 255. */
+struct SeamSteps {
+  double across = 0;       ///< mean if the best samples are from two views
+  double inside = 0;       ///< mean if they are from one view
+  std::size_t borders = 0; ///< pairs of texels with two views
+};
+
+double
+step(const TextureChart& chart, std::size_t a, std::size_t b)
+{
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    sum += chart.colors.values[3 * a + k] - chart.colors.values[3 * b + k];
+  return std::abs(sum) / 3;
+}
+
+bool
+isDeep(const texturing::Canvas& canvas, std::size_t texel, std::int32_t from_rim)
+{
+  const std::int32_t width = canvas.chart.colors.width;
+  const auto column = static_cast<std::int32_t>(texel) % width;
+  const auto row = static_cast<std::int32_t>(texel) / width;
+  for (const std::int32_t way : {-from_rim, 0, from_rim})
+    for (const std::int32_t aside : {-from_rim, 0, from_rim}) {
+      const std::int32_t c = column + way, r = row + aside;
+      if (c < 0 || r < 0 || c >= width || r >= canvas.chart.colors.height ||
+          canvas.mask[canvas.index(c, r)] != texturing::TexelPlace::Inside)
+        return false;
+    }
+  return true;
+}
+
+/** \param[in] from_rim minimum distance from the polygon's border in texels: at creases
+ * and depth edges the views disagree about the extent of the plane */
+SeamSteps
+measureSeams(const std::vector<texturing::Canvas>& canvases,
+             const std::vector<TextureChart>& charts,
+             std::int32_t from_rim)
+{
+  SeamSteps steps;
+  std::size_t pairs = 0;
+  for (std::size_t c = 0; c < canvases.size(); ++c) {
+    const TextureChart& chart = charts[c];
+    const auto width = static_cast<std::size_t>(chart.colors.width);
+    for (std::size_t texel = 0; texel < chart.kinds.size(); ++texel)
+      for (const std::size_t next : {texel + 1, texel + width}) {
+        if (next >= chart.kinds.size() || (next == texel + 1 && next % width == 0) ||
+            chart.kinds[texel] != TexelKind::Seen ||
+            chart.kinds[next] != TexelKind::Seen ||
+            !isDeep(canvases[c], texel, from_rim))
+          continue;
+        const bool is_border = canvases[c].samples[texel].front().view !=
+                               canvases[c].samples[next].front().view;
+        (is_border ? steps.across : steps.inside) += step(chart, texel, next);
+        ++(is_border ? steps.borders : pairs);
+      }
+  }
+  steps.across /= static_cast<double>(std::max<std::size_t>(steps.borders, 1));
+  steps.inside /= static_cast<double>(std::max<std::size_t>(pairs, 1));
+  return steps;
+}
 
 constexpr std::uint64_t seed = 1;
 
 std::vector<PlanePatch>
-planesOf(const SimulatedCloud& cloud)
+findPlanes()
 {
+  const SimulatedCloud& cloud = corridor().whole();
   const VotedMesh voted = meshAndVote(cloud);
   PlaneHypotheses hypotheses;
   hypotheses.points = voted.vertices();
@@ -99,11 +277,11 @@ struct Painted {
 };
 
 Painted
-paint(const SimulatedScene& scene,
-      const Trajectory& trajectory,
-      const std::vector<PlanePatch>& planes,
-      const std::vector<double>& exposures)
+paint(const std::vector<double>& exposures)
 {
+  static const std::vector<PlanePatch> planes = findPlanes();
+  const SimulatedScene& scene = corridor().scene();
+  const Trajectory& trajectory = corridor().whole().merged.trajectory;
   const TexturingSettings settings;
   Painted painted;
   std::size_t left_out = 0;
@@ -143,30 +321,25 @@ paint(const SimulatedScene& scene,
 }
 
 /** Mean similarity of some views with renderings of the map from the same poses. */
-Similarity
-redraw(const SimulatedScene& scene,
-       const Trajectory& trajectory,
-       const Painted& painted,
-       const std::vector<double>& exposures)
+double
+redrawnSimilarity(const Painted& painted, const std::vector<double>& exposures)
 {
-  Similarity all;
   constexpr std::size_t step = 15;
-  double views = 0;
-  for (std::size_t v = 0; v < trajectory.poses.size(); v += step, ++views) {
+  const SimulatedScene& scene = corridor().scene();
+  std::vector<double> similarities;
+  for (std::size_t v = 0; v < exposures.size(); v += step) {
     const SimulatedObservation seen =
         observeWith(scene, v, exposures[v] * painted.gains[v]);
-    const RaycastImage drawn = castMap(painted.map, scene.rig, trajectory.poses[v]);
+    const RaycastImage drawn =
+        castMap(painted.map, scene.rig, corridor().whole().merged.trajectory.poses[v]);
     std::vector<std::uint8_t> rgb;
     for (const ObservationPixel& pixel : seen.pixels)
       for (const int shift : {16, 8, 0})
         rgb.push_back(static_cast<std::uint8_t>(pixel.rgb >> shift));
-    const Similarity one = structuralSimilarity(
-        rgb, drawn.rgb, drawn.is_known, static_cast<std::size_t>(seen.width));
-    all.mean += one.mean;
-    all.windows += one.windows;
+    similarities.push_back(structuralSimilarity(
+        rgb, drawn.rgb, drawn.is_known, static_cast<std::size_t>(seen.width)));
   }
-  all.mean /= views;
-  return all;
+  return meanOf(similarities);
 }
 
 /** Relative RMS of the remaining exposure differences after the gains; a common factor
@@ -185,174 +358,39 @@ unbalanced(const std::vector<double>& gains, const std::vector<double>& exposure
 }
 
 void
-printRow(const std::string& name,
-         const SimulatedScene& scene,
-         const Trajectory& trajectory,
-         const std::vector<PlanePatch>& planes,
-         const std::vector<double>& exposures)
+printViews(const std::string& name, const std::vector<double>& exposures)
 {
   constexpr double min_similarity = 0.9, max_steps = 1.5;
-  const Painted painted = paint(scene, trajectory, planes, exposures);
-  const Similarity similarity = redraw(scene, trajectory, painted, exposures);
-  constexpr std::int32_t deep = 5; // texels
+  const Painted painted = paint(exposures);
   const SeamSteps all = measureSeams(painted.canvases, painted.map.charts, 0);
-  const SeamSteps steps = measureSeams(painted.canvases, painted.map.charts, deep);
+  const SeamSteps steps = measureSeams(painted.canvases, painted.map.charts, 5);
   std::size_t texels = 0;
   for (const TextureChart& chart : painted.map.charts)
     texels += chart.kinds.size();
-  MarkdownRow()
-      .text(name)
-      .count(trajectory.poses.size())
-      .count(painted.map.charts.size())
-      .count(texels)
-      .atLeast(similarity.mean, min_similarity, 3)
-      .number(steps.across, 2)
-      .number(steps.inside, 2)
-      .atMost(steps.across / steps.inside, max_steps, 2)
-      .atMost(all.across / all.inside, max_steps, 2)
-      .number(100 * unbalanced(painted.gains, exposures), 2)
-      .number(painted.seconds, 1)
-      .print();
+  printHead("views | number | charts | texels | SSIM of views drawn again | 10 cm from "
+            "rims: step across borders of views | inside | ratio | ratio everywhere | "
+            "exposure left, % | CPU s");
+  Row() << name << exposures.size() << painted.map.charts.size() << texels
+        << atLeast(redrawnSimilarity(painted, exposures), min_similarity, 3)
+        << figure(steps.across, 2) << figure(steps.inside, 2)
+        << atMost(steps.across / steps.inside, max_steps, 2)
+        << atMost(all.across / all.inside, max_steps, 2)
+        << figure(100 * unbalanced(painted.gains, exposures), 2)
+        << figure(painted.seconds, 1);
 }
 
-/** Differences of the known texels of two maps, levels of 255. */
-struct ColorErrors {
-  double rms = 0;
-  double most_of_999 = 0; ///< of 99.9 % of the texels, the largest of a channel
-};
+const Section views_section("views", [] {
+  printViews("as they are", std::vector<double>(corridor().scene().views.size(), 1.0));
+});
 
-ColorErrors
-errorsOf(const CompactMap& stored, const CompactMap& painted)
-{
-  std::array<std::size_t, 256> counts{};
-  double squares = 0;
-  std::size_t texels = 0;
-  for (std::size_t c = 0; c < painted.charts.size(); ++c) {
-    const TextureChart& chart = painted.charts[c];
-    for (std::size_t t = 0; t < chart.kinds.size(); ++t) {
-      if (chart.kinds[t] == TexelKind::None)
-        continue;
-      int largest = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const int off = std::abs(int{chart.colors.values[3 * t + k]} -
-                                 int{stored.charts[c].colors.values[3 * t + k]});
-        largest = std::max(largest, off);
-        squares += off * off / 3.0;
-      }
-      ++counts[static_cast<std::size_t>(largest)];
-      ++texels;
-    }
-  }
-  ColorErrors errors;
-  errors.rms = std::sqrt(squares / static_cast<double>(texels));
-  std::size_t level = 0;
-  for (std::size_t sum = counts[0]; 1000 * sum < 999 * texels; sum += counts[level])
-    ++level;
-  errors.most_of_999 = static_cast<double>(level);
-  return errors;
-}
-
-/** The map with its colours as they are stored with some tolerances. */
-void
-printStored(const SimulatedScene& scene,
-            const Trajectory& trajectory,
-            const std::vector<PlanePatch>& planes)
-{
-  const std::vector<double> exposures(trajectory.poses.size(), 1.0);
-  Painted painted = paint(scene, trajectory, planes, exposures);
-  painted.map.exposure = texturing::displayExposure(painted.map);
-  printHead({"color_tolerance",
-             "texels in the pages, %",
-             "charts of one texel",
-             "map.glb, bytes",
-             "difference, rms",
-             "99.9 % of the texels",
-             "SSIM of views drawn again",
-             "saving, CPU s"});
-  for (const double tolerance : {0.0, 0.75, 1.5, 3.0}) {
-    const test::TemporaryFolder folder;
-    CompactMapOutputs outputs;
-    outputs.color_tolerance = tolerance;
-    const double seconds = measureCost([&] {
-                             saveCompactMap(folder.path("map"), painted.map, outputs);
-                           }).cpu;
-    std::int64_t all = 0, kept = 0;
-    std::size_t single = 0;
-    for (const TextureChart& chart : painted.map.charts) {
-      const auto size = halvedSize(chart.colors, chart.halvings).cast<std::int64_t>();
-      all += std::int64_t{chart.colors.width} * chart.colors.height;
-      kept += size.prod();
-      single += size.prod() == 1 ? 1 : 0;
-    }
-    Painted stored;
-    stored.map = loadCompactMap(folder.path("map"));
-    stored.gains = painted.gains;
-    const ColorErrors errors = errorsOf(stored.map, painted.map);
-    MarkdownRow()
-        .number(tolerance, 2)
-        .number(100 * static_cast<double>(kept) / static_cast<double>(all), 1)
-        .count(single)
-        .count(std::filesystem::file_size(folder.path("map/map.glb")))
-        .number(errors.rms, 2)
-        .number(errors.most_of_999, 0)
-        .number(redraw(scene, trajectory, stored, exposures).mean, 3)
-        .number(seconds, 2)
-        .print();
-  }
-}
-
-std::vector<double>
-randomExposures(std::size_t views)
-{
+/** With views that are brighter and darker by up to a quarter. */
+const Section exposure_section("exposure", [] {
   Random random(seed);
   std::vector<double> exposures;
-  for (std::size_t v = 0; v < views; ++v)
+  for (std::size_t v = 0; v < corridor().scene().views.size(); ++v)
     exposures.push_back(std::exp(random.uniform(-0.22, 0.22)));
-  return exposures;
-}
+  printViews("brighter and darker", exposures);
+});
 
 } // namespace
 } // namespace pcl::acmap::bench
-
-int
-main(int argc, char** argv)
-{
-  using namespace pcl::acmap::bench;
-  Sections sections;
-  if (const auto exit_code =
-          Sections::read(argc, argv, {"views", "exposure", "stored"}, usage, sections))
-    return *exit_code;
-  SceneData corridor("corridor");
-  const SimulatedCloud& whole = corridor.whole();
-  const std::vector<pcl::PlanePatch> planes = planesOf(whole);
-  const pcl::Trajectory& trajectory = whole.merged.trajectory;
-  if (sections.isWanted("views") || sections.isWanted("exposure"))
-    printHead({"views",
-               "number",
-               "charts",
-               "texels",
-               "SSIM of views drawn again",
-               "10 cm from rims: step across borders of views",
-               "inside",
-               "ratio",
-               "ratio everywhere",
-               "exposure left, %",
-               "CPU s"});
-  if (sections.isWanted("views"))
-    printRow("as they are",
-             corridor.scene(),
-             trajectory,
-             planes,
-             std::vector<double>(trajectory.poses.size(), 1.0));
-  if (sections.isWanted("exposure"))
-    printRow("brighter and darker",
-             corridor.scene(),
-             trajectory,
-             planes,
-             randomExposures(trajectory.poses.size()));
-  if (sections.isWanted("stored")) {
-    std::cout << '\n';
-    printStored(corridor.scene(), trajectory, planes);
-  }
-  return 0;
-}

@@ -1,6 +1,6 @@
-#include "acmap_planes.h"
+#include "plane_finders.h"
 
-#include "consolidated_mesh.h"
+#include "meshes.h"
 #include "voted_hypotheses.h"
 
 #include <pcl/filters/impl/consolidation_kernel.h>

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "bench.h"
+#include "mesh_checker.h"
+
 #include <pcl/simulation/simulated_scene.h>
 
 #include <Eigen/Core>
-
-#include <cstdint>
-#include <vector>
 
 namespace pcl::acmap::bench {
 
@@ -40,6 +40,22 @@ struct TruthSurface {
 
   Eigen::Vector3d
   cellCenter(int i, int j) const;
+
+  /** \brief Calls visit (i, j) for the cells of a square with half the edge \a reach.
+   * \param[in] place see coordinates */
+  template <typename Visit>
+  void
+  visitCells(const Eigen::Vector3d& place, double reach, const Visit& visit) const
+  {
+    const auto cellAt = [&](int axis, double along) {
+      return static_cast<int>(std::floor(along / size[axis] * cells[axis]));
+    };
+    const int end_i = std::min(cells[0], cellAt(0, place[0] + reach) + 1);
+    const int end_j = std::min(cells[1], cellAt(1, place[1] + reach) + 1);
+    for (int i = std::max(0, cellAt(0, place[0] - reach)); i < end_i; ++i)
+      for (int j = std::max(0, cellAt(1, place[1] - reach)); j < end_j; ++j)
+        visit(i, j);
+  }
 };
 
 /** \brief The rectangles of a simulated scene with the parts that its views show: the
@@ -85,5 +101,52 @@ private:
  * voxel plus two standard deviations of the noise. */
 double
 creaseMargin(double voxel);
+
+/** \brief Angles between normals and true normals, degrees. They are signed: a normal
+ * that points into the wall is off by more than 90. */
+struct NormalErrors {
+  double median_away = 0; ///< away from creases, see \ref creaseMargin
+  double p95_away = 0;
+  double median_all = 0;
+  double p95_all = 0;
+  double backs_away = 0; ///< percentage of those that point into the surface
+  double backs_all = 0;
+};
+
+/** \brief Compares each normal with that of the nearest surface; normals that are not
+ * finite are ignored.
+ * \param[in] places positions in the scene frame
+ * \param[in] normals unit, scene frame
+ * \param[in] voxel metres, for the distance to creases */
+NormalErrors
+measureNormals(const SceneTruth& truth,
+               const test::Points& places,
+               const test::Points& normals,
+               double voxel);
+
+/** \brief Adds these figures to a row, as far as they have targets with these. */
+void
+addErrors(const NormalErrors& errors,
+          Row& row,
+          double median_reach = no_reach,
+          double p95_reach = no_reach);
+
+/** \brief Comparison of a mesh with the truth. */
+struct MeshFigures {
+  NormalErrors normals; ///< of the faces
+  double cover = 0;     ///< percentage of the visible raster with a triangle near it
+  double overlap = 0;   ///< percentage with more than one triangle
+  double area = 0;      ///< excess over the visible area, percent
+  double boundary = 0;  ///< percentage of the edges with one triangle
+};
+
+/** \param[in] points scene frame
+ * \param[in] voxel metres; a triangle covers the truth if their distance along the
+ * normal of the truth is at most half a voxel or 5 cm, whichever is more */
+MeshFigures
+measureMesh(const SceneTruth& truth,
+            const test::Points& points,
+            const test::Triangles& triangles,
+            double voxel);
 
 } // namespace pcl::acmap::bench

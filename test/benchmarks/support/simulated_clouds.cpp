@@ -7,6 +7,7 @@
 #include <sstream>
 
 namespace pcl::acmap::bench {
+
 namespace {
 
 constexpr std::uint64_t noise_seed = 1;
@@ -166,6 +167,38 @@ SceneData::truthOfView(std::size_t view) const
   SceneTruth truth(scene_);
   truth.see(scene_, view, finer);
   return truth;
+}
+
+SceneData&
+corridor()
+{
+  static SceneData data("corridor");
+  return data;
+}
+
+PointCloud<PointXYZ>::Ptr
+plainPoints(const SimulatedCloud& cloud)
+{
+  const auto result = std::make_shared<PointCloud<PointXYZ>>();
+  result->reserve(cloud.size());
+  for (const Eigen::Vector3f& point : cloud.merged.points)
+    result->emplace_back(point.x(), point.y(), point.z());
+  return result;
+}
+
+PointCloud<PointXYZRGBNormalView>::Ptr
+mapPoints(const SimulatedCloud& cloud)
+{
+  const auto result = std::make_shared<PointCloud<PointXYZRGBNormalView>>();
+  result->reserve(cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    PointXYZRGBNormalView point;
+    point.getVector3fMap() = cloud.merged.points[i];
+    point.rgba = cloud.merged.rgb[i];
+    point.view = cloud.merged.view[i];
+    result->push_back(point);
+  }
+  return result;
 }
 
 } // namespace pcl::acmap::bench

@@ -4,8 +4,10 @@
 
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/impl/voxel_moments.h>
+#include <pcl/core/point_types.h>
 #include <pcl/core/sensor_view.h>
 #include <pcl/filters/impl/consolidation_kernel.h>
+#include <pcl/point_cloud.h>
 #include <pcl/simulation/simulated_observation.h>
 
 #include <memory>
@@ -91,5 +93,17 @@ private:
   std::unique_ptr<SimulatedCloud> whole_;
   std::unique_ptr<SceneTruth> truth_;
 };
+
+/** \brief The corridor of most benchmarks. */
+SceneData&
+corridor();
+
+/** \brief Only the coordinates, as a PCL cloud. */
+PointCloud<PointXYZ>::Ptr
+plainPoints(const SimulatedCloud& cloud);
+
+/** \brief Points with colour and view, as in a map. */
+PointCloud<PointXYZRGBNormalView>::Ptr
+mapPoints(const SimulatedCloud& cloud);
 
 } // namespace pcl::acmap::bench

@@ -1,0 +1,118 @@
+#include "bench.h"
+#include "cylinder_scenes.h"
+#include "primitive_scenes.h"
+
+#include <pcl/segmentation/cylinder_hypothesis_clustering.h>
+
+#include <iomanip>
+#include <map>
+#include <utility>
+
+namespace pcl::acmap::bench {
+namespace {
+
+std::vector<CylinderPatch>
+findCylinders(const test::CylinderView& view)
+{
+  CylinderHypothesisClustering<PointXYZ> clustering;
+  clustering.setInputCloud(view.cloud);
+  clustering.setSourceCloud(view.cloud);
+  std::vector<CylinderPatch> patches;
+  clustering.segment(patches);
+  return patches;
+}
+
+const Section half_seen_section("half_seen", [] {
+  constexpr std::size_t seeds = 20;
+  printHead("noise mm | found | spurious | median radius error mm | largest mm | CPU s "
+            "a scene");
+  for (const auto& [sigma, reach] :
+       {std::pair(0.003, 0.4), std::pair(0.01, 2.0), std::pair(0.02, 5.0)}) {
+    std::size_t all = 0, found = 0, spurious = 0;
+    std::vector<double> errors;
+    const double begin = processSeconds();
+    for (std::size_t seed = 0; seed < seeds; ++seed) {
+      const test::CylinderView view = test::seeColumns(sigma, seed);
+      const std::vector<CylinderPatch> patches = findCylinders(view);
+      std::size_t right = 0;
+      for (const test::SceneCylinder& truth : view.cylinders)
+        if (const CylinderPatch* patch =
+                patchOf(truth.point, truth.axis, truth.radius, patches)) {
+          ++right;
+          errors.push_back(milli * std::abs(patch->radius - truth.radius));
+        }
+      all += view.cylinders.size();
+      found += right;
+      spurious += patches.size() - std::min(patches.size(), right);
+    }
+    const double seconds = (processSeconds() - begin) / seeds;
+    Row() << figure(milli * sigma, 0) << atLeast(found, all, 0)
+          << atMost(spurious, 0, 0) << figure(median(errors), 2)
+          << atMost(largest(errors), reach, 2) << figure(seconds, 2);
+  }
+});
+
+const Section walls_section("walls", [] {
+  constexpr std::size_t seeds = 5;
+  printHead("wall | noise mm | walls | cylinders | largest radius error mm");
+  for (const double bow : {0.0, 0.025, 0.06})
+    for (const double sigma : {0.003, 0.01}) {
+      std::size_t cylinders = 0;
+      for (std::size_t seed = 0; seed < seeds; ++seed)
+        cylinders +=
+            findCylinders(test::seeWall([&](double x) { return bow * (1 - x * x / 9); },
+                                        sigma,
+                                        seed))
+                .size();
+      Row() << (bow == 0
+                    ? std::string("flat")
+                    : "bowed by " + std::to_string(std::lround(1000 * bow)) + " mm")
+            << figure(milli * sigma, 0) << seeds << atMost(cylinders, 0, 0) << "";
+    }
+  for (const bool is_hollow : {false, true})
+    for (const double sigma : {0.003, 0.01}) {
+      std::size_t cylinders = 0;
+      std::vector<double> errors;
+      for (std::size_t seed = 0; seed < seeds; ++seed) {
+        const test::CylinderView view = test::seeRoundWall(is_hollow, sigma, seed);
+        const std::vector<CylinderPatch> patches = findCylinders(view);
+        const test::SceneCylinder& truth = view.cylinders[0];
+        const CylinderPatch* const patch =
+            patchOf(truth.point, truth.axis, truth.radius, patches);
+        cylinders += patch && patches.size() == 1 ? 1 : 0;
+        if (patch)
+          errors.push_back(milli * std::abs(patch->radius - 10));
+      }
+      Row() << (is_hollow ? "radius 10 m, hollow" : "radius 10 m")
+            << figure(milli * sigma, 0) << seeds << atLeast(cylinders, seeds, 0)
+            << atMost(largest(errors), 4, 1);
+    }
+});
+
+const Section sigma_section("sigma", [] {
+  constexpr std::uint64_t seeds = 20;
+  printHead("noise mm | radius cm | fits | rms of error over told sigma");
+  for (const double sigma : {0.003, 0.01, 0.02}) {
+    std::map<double, std::vector<double>> squares; // of each radius, over the variance
+    for (std::uint64_t seed = 100; seed < 100 + seeds; ++seed) {
+      const test::CylinderView view = test::seeColumns(sigma, seed);
+      const std::vector<CylinderPatch> patches = findCylinders(view);
+      for (const test::SceneCylinder& truth : view.cylinders)
+        if (const CylinderPatch* const patch =
+                patchOf(truth.point, truth.axis, truth.radius, patches))
+          squares[truth.radius].push_back(std::pow(patch->radius - truth.radius, 2) /
+                                          patch->covariance(4, 4));
+    }
+    for (const auto& [radius, ratios] : squares) {
+      const double ratio = std::sqrt(meanOf(ratios));
+      std::ostringstream text;
+      text << std::fixed << std::setprecision(2) << ratio << " (0.8 to 1.25)";
+      const bool is_right = ratio >= 0.8 && ratio <= 1.25;
+      Row() << figure(milli * sigma, 0) << figure(centi * radius, 0) << ratios.size()
+            << (is_right ? text.str() : "**" + text.str() + "**");
+    }
+  }
+});
+
+} // namespace
+} // namespace pcl::acmap::bench
