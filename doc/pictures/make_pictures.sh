@@ -36,7 +36,7 @@ mesh() {
 
 (cd "$scratch" && "$bin/acmap_bench_simulation_figures" picture)
 "$bin/draw_rig_calibration" "$scratch"
-"$bin/acmap_bench_stereo_figures" picture "$scratch"
+(cd "$scratch" && "$bin/acmap_bench_stereo_figures" picture)
 for name in line_pattern simulated_shots rig_calibration stereo_disparities; do
   cp "$scratch/$name.png" "$pictures/"
 done
