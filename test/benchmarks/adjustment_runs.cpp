@@ -2,6 +2,7 @@
 
 #include "bench.h"
 
+#include <pcl/conversions.h>
 #include <pcl/core/random.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/mapping/entropy_rectification.h>
@@ -38,19 +39,8 @@ makeAdjustmentScene(const SimulatedScene& scene, std::uint64_t noise_seed)
   result.name = scene.name;
   result.truth = scene.views;
   for (std::size_t view = 0; view < scene.views.size(); ++view) {
-    const SimulatedObservation seen = observe(scene, view, noise_seed);
-    const auto cloud = std::make_shared<PointCloud<PointXYZRGBSigma>>(
-        static_cast<std::uint32_t>(seen.width),
-        static_cast<std::uint32_t>(seen.height));
-    for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
-      const ObservationPixel& pixel = seen.pixels[i];
-      PointXYZRGBSigma& point = (*cloud)[i];
-      point.x = pixel.x;
-      point.y = pixel.y;
-      point.z = pixel.z;
-      point.rgba = pixel.rgb;
-      point.sigma = pixel.sigma;
-    }
+    const auto cloud = std::make_shared<PointCloud<PointXYZRGBSigma>>();
+    fromPCLPointCloud2(cloudOf(observe(scene, view, noise_seed)), *cloud);
     result.clouds.push_back(cloud);
   }
   return result;

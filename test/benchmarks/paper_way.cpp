@@ -59,10 +59,6 @@ setPaper(CompactMapping& mapping)
   mapping.setMode(MappingMode::Paper);
 }
 
-void
-setNothing(CompactMapping&)
-{}
-
 template <typename Change>
 void
 changePlanes(CompactMapping& mapping, const Change& change)
@@ -82,60 +78,6 @@ setEgomotion(CompactMapping& mapping)
   mapping.setVisualOdometry(odometry);
 }
 
-void
-setRectification(CompactMapping& mapping)
-{
-  CompactMapping::Rectification rectification = mapping.getRectification();
-  rectification.setMode(RectificationMode::Paper);
-  mapping.setRectification(rectification);
-}
-
-void
-setRaw(CompactMapping& mapping)
-{
-  changePlanes(mapping, [](PlaneMapping& planes) {
-    planes.setConsolidationPolicy(ConsolidationPolicy::Never);
-  });
-}
-
-void
-setStrict(CompactMapping& mapping)
-{
-  changePlanes(mapping, [](PlaneMapping& planes) {
-    const auto dewall = std::make_shared<DeWallTriangulation<PlaneMapping::Vertex>>();
-    dewall->setAcceptanceRule(DeWallRule::Strict);
-    planes.setMeshConstruction(dewall);
-  });
-}
-
-void
-setVotes(CompactMapping& mapping)
-{
-  changePlanes(mapping, [](PlaneMapping& planes) {
-    PlaneMapping::Voting voting;
-    voting.setPaperMode(true);
-    planes.setVoting(voting);
-  });
-}
-
-void
-setHypotheses(CompactMapping& mapping)
-{
-  changePlanes(mapping, [](PlaneMapping& planes) {
-    PlaneMapping::Clustering clustering;
-    clustering.setNoiseDriven(false);
-    planes.setClustering(clustering);
-  });
-}
-
-void
-setTexture(CompactMapping& mapping)
-{
-  CompactMapping::Texturing texturing;
-  texturing.setPaperMode(true);
-  mapping.setTexturing(texturing);
-}
-
 double
 compactnessOf(CompactMap map, std::size_t points)
 {
@@ -149,19 +91,69 @@ compactnessOf(CompactMap map, std::size_t points)
 const std::vector<PaperWay>&
 paperWays()
 {
+  constexpr auto nothing = [](CompactMapping&) {};
   static const std::vector<PaperWay> ways = {
       {"the paper's way", median_of_shots, true, setPaper},
       {"the paper's way, unlit", unlit, true, setPaper},
-      {"ours", spacetime, false, setNothing},
-      {"ours, median of the disparities", median_of_shots, false, setNothing},
+      {"ours", spacetime, false, nothing},
+      {"ours, median of the disparities", median_of_shots, false, nothing},
       {"ours, paper's egomotion", spacetime, false, setEgomotion},
-      {"ours, paper's rectification", spacetime, false, setRectification},
-      {"ours, no consolidation", spacetime, true, setRaw},
-      {"ours, strict mesh", spacetime, false, setStrict},
-      {"ours, paper's votes", spacetime, false, setVotes},
-      {"ours, literal hypotheses", spacetime, false, setHypotheses},
-      {"ours, colours of points", spacetime, false, setTexture},
-      {"ours, unlit", unlit, false, setNothing}};
+      {"ours, paper's rectification",
+       spacetime,
+       false,
+       [](CompactMapping& mapping) {
+         CompactMapping::Rectification rectification = mapping.getRectification();
+         rectification.setMode(RectificationMode::Paper);
+         mapping.setRectification(rectification);
+       }},
+      {"ours, no consolidation",
+       spacetime,
+       true,
+       [](CompactMapping& mapping) {
+         changePlanes(mapping, [](PlaneMapping& planes) {
+           planes.setConsolidationPolicy(ConsolidationPolicy::Never);
+         });
+       }},
+      {"ours, strict mesh",
+       spacetime,
+       false,
+       [](CompactMapping& mapping) {
+         changePlanes(mapping, [](PlaneMapping& planes) {
+           const auto dewall =
+               std::make_shared<DeWallTriangulation<PlaneMapping::Vertex>>();
+           dewall->setAcceptanceRule(DeWallRule::Strict);
+           planes.setMeshConstruction(dewall);
+         });
+       }},
+      {"ours, paper's votes",
+       spacetime,
+       false,
+       [](CompactMapping& mapping) {
+         changePlanes(mapping, [](PlaneMapping& planes) {
+           PlaneMapping::Voting voting;
+           voting.setPaperMode(true);
+           planes.setVoting(voting);
+         });
+       }},
+      {"ours, literal hypotheses",
+       spacetime,
+       false,
+       [](CompactMapping& mapping) {
+         changePlanes(mapping, [](PlaneMapping& planes) {
+           PlaneMapping::Clustering clustering;
+           clustering.setNoiseDriven(false);
+           planes.setClustering(clustering);
+         });
+       }},
+      {"ours, colours of points",
+       spacetime,
+       false,
+       [](CompactMapping& mapping) {
+         CompactMapping::Texturing texturing;
+         texturing.setPaperMode(true);
+         mapping.setTexturing(texturing);
+       }},
+      {"ours, unlit", unlit, false, nothing}};
   return ways;
 }
 

@@ -58,7 +58,11 @@ Figure
 atMost(Number value, Reach reach, int digits)
 {
   const auto limit = static_cast<double>(reach);
-  return {static_cast<double>(value), digits, "≤", limit, static_cast<double>(value) <= limit};
+  return {static_cast<double>(value),
+          digits,
+          "≤",
+          limit,
+          static_cast<double>(value) <= limit};
 }
 
 template <typename Number, typename Reach>
@@ -66,7 +70,11 @@ Figure
 atLeast(Number value, Reach reach, int digits)
 {
   const auto limit = static_cast<double>(reach);
-  return {static_cast<double>(value), digits, "≥", limit, static_cast<double>(value) >= limit};
+  return {static_cast<double>(value),
+          digits,
+          "≥",
+          limit,
+          static_cast<double>(value) >= limit};
 }
 
 /** \brief A deviation whose absolute value should not exceed \a reach. */
