@@ -1,6 +1,7 @@
 #include "bench.h"
 #include "bench_data.h"
 #include "chain_runs.h"
+#include "run_tool.h"
 #include "temporary_folder.h"
 
 #include <pcl/core/trajectory_error.h>
@@ -175,8 +176,10 @@ printStages(const nlohmann::ordered_json& report)
 const Section size_section("size", [] {
   const test::TemporaryFolder folder;
   const std::string session = folder.path("session"), map = folder.path("map");
-  runWhole(ACMAP_SIMULATED_RIG, {"-o", session, "--scene", "corridor_survey"});
-  runWhole(ACMAP_COMPACT_MAPPING, {session, "-o", map, "--no-pictures"});
+  test::runTool(ACMAP_SIMULATED_RIG, {"-o", session, "--scene", "corridor_survey"})
+      .succeeded();
+  test::runTool(ACMAP_COMPACT_MAPPING, {session, "-o", map, "--no-pictures"})
+      .succeeded();
   const auto report =
       nlohmann::ordered_json::parse(std::ifstream(map + "/report.json"));
   printStages(report);

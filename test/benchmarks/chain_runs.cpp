@@ -1,6 +1,7 @@
 #include "chain_runs.h"
 
 #include "bench.h"
+#include "json_file.h"
 #include "run_tool.h"
 
 #include <pcl/core/impl/point_view.h>
@@ -8,13 +9,10 @@
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/trajectory.h>
 
-#include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iomanip>
-#include <stdexcept>
 
 namespace pcl::acmap::bench {
 
@@ -78,14 +76,6 @@ viewsOf(const std::string& observations,
 
 } // namespace
 
-void
-runWhole(const std::string& tool, const std::vector<std::string>& arguments)
-{
-  const test::ToolRun ran = test::runTool(tool, arguments);
-  if (ran.exit_code != 0)
-    throw std::runtime_error(tool + ": " + ran.err);
-}
-
 ChainRun
 runChainOfTools(const ChainWay& way,
                 const std::string& recording,
@@ -96,8 +86,11 @@ runChainOfTools(const ChainWay& way,
   for (const std::string& old : {posed, bare, made})
     std::filesystem::remove_all(old);
   const std::string every = std::to_string(way.every);
-  runWhole(ACMAP_RGBD_IMPORT, {recording, "-o", posed, "--every", every});
-  runWhole(ACMAP_RGBD_IMPORT, {recording, "-o", bare, "--every", every, "--no-poses"});
+  test::runTool(ACMAP_RGBD_IMPORT, {recording, "-o", posed, "--every", every})
+      .succeeded();
+  test::runTool(ACMAP_RGBD_IMPORT,
+                {recording, "-o", bare, "--every", every, "--no-poses"})
+      .succeeded();
   ChainRun result;
   const double begin = childSeconds();
   std::vector<std::string> mapping = {
@@ -105,14 +98,14 @@ runChainOfTools(const ChainWay& way,
   if (!way.is_given)
     mapping.emplace_back("--6dof");
   mapping.insert(mapping.end(), way.mapping.begin(), way.mapping.end());
-  runWhole(ACMAP_COMPACT_MAPPING, mapping);
+  test::runTool(ACMAP_COMPACT_MAPPING, mapping).succeeded();
   result.seconds = childSeconds() - begin;
   const Trajectory given = loadTrajectory(posed + "/trajectory.txt");
   result.observations = given.poses.size();
   result.views =
       viewsOf(posed, given, loadTrajectory(made + "/trajectory.txt"), way.is_given);
   result.map = loadMapFile(made + "/map.json");
-  const auto report = nlohmann::json::parse(std::ifstream(made + "/report.json"));
+  const nlohmann::json report = test::reportOf(made);
   const nlohmann::json& bytes = report.at("bytes");
   result.compactness =
       bytes.at("raw").get<double>() / bytes.at("map.glb").get<double>();

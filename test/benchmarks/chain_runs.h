@@ -35,11 +35,6 @@ struct ChainRun {
   std::size_t peak_memory = 0; ///< bytes, of pcl_compact_mapping
 };
 
-/** \brief Runs a tool and waits for its end.
- * \throws std::runtime_error when it fails, with its messages */
-void
-runWhole(const std::string& tool, const std::vector<std::string>& arguments);
-
 /** \brief Imports frames of a recording in the layout of 7-Scenes and maps them.
  * \param[in] folder for the outputs, which take 10 MB per frame
  * \throws std::runtime_error when a tool fails, with its messages */

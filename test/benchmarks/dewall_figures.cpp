@@ -54,11 +54,11 @@ countForeignHoles(const Points& points,
   }
   std::set<std::size_t> all, own;
   for (const std::int32_t corner : corners) {
-    all.insert(loops.root(corner));
+    all.insert(loops.find(corner));
     if (std::any_of(rim.begin(), rim.end(), [&](std::int32_t i) {
           return (points[corner] - points[i]).norm() <= reach;
         }))
-      own.insert(loops.root(corner));
+      own.insert(loops.find(corner));
   }
   return all.size() - own.size();
 }

@@ -1,6 +1,7 @@
 #include "bench.h"
 #include "bench_data.h"
 #include "chain_runs.h"
+#include "run_tool.h"
 #include "temporary_folder.h"
 
 #include <pcl/core/trajectory_error.h>
@@ -280,13 +281,14 @@ printScene(const std::string& scene)
 {
   const test::TemporaryFolder folder;
   const std::string session = folder.path("session");
-  runWhole(ACMAP_SIMULATED_RIG,
-           {"-o",
-            session,
-            "--scene",
-            scene,
-            "--observations",
-            std::to_string(max_observations)});
+  test::runTool(ACMAP_SIMULATED_RIG,
+                {"-o",
+                 session,
+                 "--scene",
+                 scene,
+                 "--observations",
+                 std::to_string(max_observations)})
+      .succeeded();
   const SessionTruth truth = loadSessionTruth(session);
   std::map<std::string, double> stereo_seconds; // by option
   printWayHead();
@@ -295,7 +297,9 @@ printScene(const std::string& scene)
     if (stereo_seconds.count(way.stereo) == 0) {
       stereo_seconds[way.stereo] =
           measureCost([&] {
-            runWhole(ACMAP_ACTIVE_STEREO, {session, "-o", observations, way.stereo});
+            test::runTool(ACMAP_ACTIVE_STEREO,
+                          {session, "-o", observations, way.stereo})
+                .succeeded();
           }).wall;
     }
     const PaperWayRun run =
@@ -354,7 +358,7 @@ const Section kitchen_section("kitchen", [] {
     return;
   const test::TemporaryFolder folder;
   const std::string posed = folder.path("posed");
-  runWhole(ACMAP_RGBD_IMPORT, {*recording, "-o", posed});
+  test::runTool(ACMAP_RGBD_IMPORT, {*recording, "-o", posed}).succeeded();
   std::vector<std::string> files = observationPaths(posed);
   files.resize(std::min(files.size(), max_observations));
   std::vector<Eigen::Isometry3d> given =

@@ -137,17 +137,16 @@ errorsOf(const TexturedPair& pair)
   TrinocularRig rig = pair.shots.rig;
   rig.baseline_horizontal = nearest * rangeOf(pair.shots.truth) / rig.focal_length;
   saveTrinocularRig(folder.path("rig.yaml"), rig);
-  const test::ToolRun run = test::runTool(ACMAP_ACTIVE_STEREO,
-                                          {"--reference",
-                                           pathOfData(pair.reference).value(),
-                                           "--horizontal",
-                                           pathOfData(pair.neighbour).value(),
-                                           "--rig",
-                                           folder.path("rig.yaml"),
-                                           "-o",
-                                           folder.path("out")});
-  if (run.exit_code != 0)
-    throw std::runtime_error(run.err);
+  test::runTool(ACMAP_ACTIVE_STEREO,
+                {"--reference",
+                 pathOfData(pair.reference).value(),
+                 "--horizontal",
+                 pathOfData(pair.neighbour).value(),
+                 "--rig",
+                 folder.path("rig.yaml"),
+                 "-o",
+                 folder.path("out")})
+      .succeeded();
   DisparityErrors errors;
   errors.add(loadPfm(folder.path("out/disparity.pfm")), pair.shots.truth, pair.visible);
   return errors;
