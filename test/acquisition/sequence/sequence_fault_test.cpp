@@ -1,5 +1,5 @@
-#include "thrown_faults.h"
 #include "sequence_rig.h"
+#include "thrown_faults.h"
 
 #include <pcl/core/camera_exception.h>
 
