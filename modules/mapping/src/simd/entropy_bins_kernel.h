@@ -334,7 +334,7 @@ sumUp(const float* bins, std::int64_t size, double* sums)
 {
   Lanes sum = allLanes(0);
   for (std::int64_t j = 0; j < size; j += lane_count) {
-    const Lanes q = load<Lanes>(bins + j);
+    const Lanes q = loadLanes(bins + j);
     sum += q;
     store(sums + j, load<Lanes>(sums + j) + q);
   }
