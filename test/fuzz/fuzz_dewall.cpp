@@ -137,8 +137,8 @@ requireFacing(const DeWallTask& task, const Points& points, const TriangleMesh& 
     const Eigen::Vector3d view = sensor - (a + b + c) / 3;
     if (view.norm() < 1e-6 * sensor.norm())
       return; // inside a face: it may see either side
-    front[components.root(face[0])] += area.dot(view.normalized());
-    whole[components.root(face[0])] += area.norm();
+    front[components.find(face[0])] += area.dot(view.normalized());
+    whole[components.find(face[0])] += area.norm();
   }
   require((front.array() >= -1e-9 * whole.array()).all());
 }
