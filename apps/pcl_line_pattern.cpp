@@ -1,4 +1,5 @@
 #include "command_line.h"
+#include "fields_json.h"
 #include "line_pattern/pattern_options.h"
 #include "output_target.h"
 
@@ -118,13 +119,9 @@ struct Totals {
     redraws += report.redraws;
     row_side_lobe = std::max(row_side_lobe, report.row_side_lobe);
     column_side_lobe = std::max(column_side_lobe, report.column_side_lobe);
-    patterns.push_back({{"file", name},
-                        {"coverage", report.coverage},
-                        {"redraws", report.redraws},
-                        {"row_side_lobe", report.row_side_lobe},
-                        {"column_side_lobe", report.column_side_lobe},
-                        {"worst_row_side_lobe", report.worst_row_side_lobe},
-                        {"worst_column_side_lobe", report.worst_column_side_lobe}});
+    Json pattern = {{"file", name}};
+    pattern.update(fieldsOf(report, {{"lines"}}));
+    patterns.push_back(std::move(pattern));
   }
 };
 

@@ -1,4 +1,5 @@
 #include "command_line.h"
+#include "fields_json.h"
 #include "output_target.h"
 #include "tool.h"
 
@@ -142,15 +143,10 @@ tellImages(const RigCalibratorReport& calibrated, StageLog& log)
 {
   auto images = nlohmann::ordered_json::array();
   for (const BoardImage& image : calibrated.images) {
-    nlohmann::ordered_json entry = {
-        {"name", image.name}, {"camera", nameOf(image.camera)}, {"shot", image.shot}};
-    if (image.reason.empty())
-      entry["reprojection"] = image.reprojection;
-    else {
-      entry["left_out"] = image.reason;
+    const bool is_used = image.reason.empty();
+    images.push_back(fieldsOf(image, {{is_used ? "left_out" : "reprojection"}}));
+    if (!is_used)
       log.warn("left out: " + image.name + ": " + image.reason);
-    }
-    images.push_back(std::move(entry));
   }
   log.details["images"] = std::move(images);
 }
@@ -171,9 +167,7 @@ tellCalibration(const RigCalibratorReport& calibrated,
              std::to_string(calibrated.boards[i]) + " boards, reprojection " +
                  shortNumber(calibrated.reprojection[i]) + " px");
   }
-  details["row_residual"] = calibrated.row_residual;
-  details["column_residual"] = calibrated.column_residual;
-  details["coverage"] = calibrated.coverage;
+  details.update(fieldsOf(calibrated, {{"images"}, {"boards"}, {"reprojection"}}));
   details["rig"] = {{"width", rig.width},
                     {"height", rig.height},
                     {"focal_length", rig.focal_length},

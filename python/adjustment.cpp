@@ -72,7 +72,7 @@ adjustClouds(const std::vector<PointArgument>& clouds,
     });
     return adjusted;
   }));
-  return {arrayOfPoses(found, owner), reportOfAdjustment(std::move(report))};
+  return {arrayOfPoses(found, owner), reportOfAdjustment(report)};
 }
 
 constexpr const char* about_adjustment =

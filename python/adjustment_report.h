@@ -8,6 +8,6 @@ namespace pcl::acmap::python {
 
 /** \brief Converts the report of a plane adjustment to a Python object. */
 pybind11::object
-reportOfAdjustment(PlaneAdjustmentReport&& report);
+reportOfAdjustment(const PlaneAdjustmentReport& report);
 
 } // namespace pcl::acmap::python

@@ -2,6 +2,7 @@
 #include "members.h"
 
 #include <pcl/core/box_patch.h>
+#include <pcl/core/fields.h>
 
 #include <array>
 #include <string>
@@ -17,10 +18,9 @@ namespace {
 std::array<std::pair<std::string, std::int32_t>, 6>
 facesOf(const BoxPatch& box)
 {
-  constexpr std::array<const char*, 4> kinds{"free", "seen", "snapped", "slanted"};
   std::array<std::pair<std::string, std::int32_t>, 6> faces;
   for (std::size_t side = 0; side < faces.size(); ++side)
-    faces[side] = {kinds[static_cast<std::size_t>(box.faces[side].kind)],
+    faces[side] = {nameIn(box_face_kind_names, box.faces[side].kind),
                    box.faces[side].plane};
   return faces;
 }

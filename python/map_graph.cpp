@@ -3,6 +3,7 @@
 #include "members.h"
 
 #include <pcl/core/compact_map.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/map_topology.h>
 
 #include <pybind11/stl.h>
@@ -11,26 +12,6 @@ namespace pcl::acmap::python {
 
 namespace {
 
-const char*
-nameOf(EdgeKind kind)
-{
-  switch (kind) {
-  case EdgeKind::Open:
-    return "open";
-  case EdgeKind::Crease:
-    return "crease";
-  case EdgeKind::Contact:
-    return "contact";
-  case EdgeKind::Rim:
-    return "rim";
-  case EdgeKind::Frontier:
-    return "frontier";
-  case EdgeKind::Arc:
-    return "arc";
-  }
-  return "";
-}
-
 void
 bindTopology(py::module_& module)
 {
@@ -38,7 +19,7 @@ bindTopology(py::module_& module)
       .def_readonly("vertices", &MapEdge::vertices, "ascending indices of vertices")
       .def_property_readonly(
           "kind",
-          [](const MapEdge& edge) { return nameOf(edge.kind); },
+          [](const MapEdge& edge) { return nameIn(edge_kind_names, edge.kind); },
           "'open', 'crease', 'contact', 'rim', 'frontier' or 'arc'")
       .def_readonly(
           "planes",
@@ -117,7 +98,7 @@ bindRooms(py::module_& module)
       .def_property_readonly(
           "kind",
           [](const MapOpening& opening) {
-            return opening.kind == OpeningKind::Window ? "window" : "door";
+            return nameIn(opening_kind_names, opening.kind);
           },
           "'door' or 'window'")
       .def_readonly(

@@ -2,7 +2,7 @@
 #include "kernel_call.h"
 #include "named_choice.h"
 #include "poses.h"
-#include "rectification_report.h"
+#include "reports.h"
 
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/parallel.h>
@@ -141,7 +141,7 @@ rectifyClouds(const ObservationArguments& arguments,
   const auto [found, owner] = owned(callKernel(listener, [&](const Progress& progress) {
     return search(observations, given, settings, threads, progress, report);
   }));
-  return {arrayOfPoses(found, owner), reportOfRectification(std::move(report))};
+  return {arrayOfPoses(found, owner), reportOf(report)};
 }
 
 constexpr const char* about_rectification =

@@ -1,5 +1,6 @@
 #include "stereo_observation.h"
 
+#include "fields_json.h"
 #include "memory.h"
 #include "output_target.h"
 
@@ -207,18 +208,14 @@ StereoResults::add(std::size_t number,
   std::vector<std::string> all_remarks = fusion.remarks;
   all_remarks.insert(
       all_remarks.end(), projection.remarks.begin(), projection.remarks.end());
-  add({{"observation", number},
-       {"file", observationName(number)},
-       {"frames", frame_count},
-       {"shots", fusion.shots},
-       {"off_shots", fusion.off_shots},
-       {"matched", fusion.outcomes[matched_index]},
-       {"points", projection.points},
-       {"too_near", projection.too_near},
-       {"too_far", projection.too_far},
-       {"outcomes", jsonOf(fusion.outcomes)},
-       {"coverage", fusion.coverage},
-       {"remarks", all_remarks}});
+  Json observation = {{"observation", number},
+                      {"file", observationName(number)},
+                      {"frames", frame_count}};
+  observation.update(fieldsOf(fusion, {{"is_passive"}}));
+  observation["matched"] = fusion.outcomes[matched_index];
+  observation.update(fieldsOf(projection, {{"invalid"}}));
+  observation["remarks"] = all_remarks;
+  add(observation);
 }
 
 void
@@ -296,15 +293,6 @@ StereoResults::warnOfRemarks(StageLog& log) const
                   ? " and " + std::to_string(numbers.size() - 1) + " others: "
                   : ": ") +
              text);
-}
-
-Json
-jsonOf(const std::array<std::size_t, disparity_outcomes>& outcomes)
-{
-  Json json = Json::object();
-  for (std::size_t i = 0; i < outcomes.size(); ++i)
-    json[nameOf(static_cast<DisparityOutcome>(i))] = outcomes[i];
-  return json;
 }
 
 void

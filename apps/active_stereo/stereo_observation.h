@@ -141,10 +141,6 @@ struct StereoResults {
   warnOfRemarks(StageLog& log) const;
 };
 
-/** \brief Counts of each outcome by its name. */
-nlohmann::ordered_json
-jsonOf(const std::array<std::size_t, disparity_outcomes>& outcomes);
-
 /** \brief Reports the first findings about the frames as warnings. The report has
  * all. */
 void

@@ -1,6 +1,7 @@
 #include "shot_source.h"
 #include "stereo_observation.h"
 
+#include "fields_json.h"
 #include "memory.h"
 #include "output_target.h"
 
@@ -146,21 +147,23 @@ public:
     // it is above the requested one if image or matcher limit the disparities
     const double nearest =
         std::max(options_.nearest, depthOf(source_.rig(), range.maximum()));
-    log.details = {{"input", options_.hasLists() ? options_.rig : options_.session},
-                   {"output", options_.output},
-                   {"frames", source_.isRectifying() ? "raw" : "rectified"},
-                   {"method", options_.isPassive() ? "passive" : options_.method},
-                   {"least_disparity", range.minimum},
-                   {"most_disparity", range.maximum()},
-                   {"least_depth", nearest},
-                   {"most_depth", options_.farthest},
-                   {"has_poses", !options_.poses.empty()},
-                   {"points", results_.points},
-                   {"matched_share", results_.matchedShare()},
-                   {"outcomes", jsonOf(results_.outcomes)},
-                   {"broken_frames", source_.broken()},
-                   {"findings", source_.remarks()},
-                   {"observations", results_.observations}};
+    log.details = {
+        {"input", options_.hasLists() ? options_.rig : options_.session},
+        {"output", options_.output},
+        {"frames", source_.isRectifying() ? "raw" : "rectified"},
+        {"method", options_.isPassive() ? "passive" : options_.method},
+        {"least_disparity", range.minimum},
+        {"most_disparity", range.maximum()},
+        {"least_depth", nearest},
+        {"most_depth", options_.farthest},
+        {"has_poses", !options_.poses.empty()},
+        {"points", results_.points},
+        {"matched_share", results_.matchedShare()},
+        {"outcomes",
+         FieldValueJson()(Named{results_.outcomes, disparity_outcome_names})},
+        {"broken_frames", source_.broken()},
+        {"findings", source_.remarks()},
+        {"observations", results_.observations}};
     log.tell("observations", std::to_string(results_.observations.size()));
     log.tell("frames",
              std::to_string(results_.frames) + (source_.isRectifying()

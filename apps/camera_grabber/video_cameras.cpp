@@ -1,6 +1,7 @@
 #include "video_cameras.h"
 
 #include "command_line.h"
+#include "fields_json.h"
 
 #include <pcl/video/camera_grabber.h>
 
@@ -82,7 +83,6 @@ public:
   tell(StageLog& log) const override
   {
     const CameraGrabberReport report = cameras_->getReport();
-    Json list = Json::array();
     for (const CameraState& camera : report.cameras) {
       const char* const exposure = camera.is_recording        ? "a recording"
                                    : camera.is_exposure_fixed ? "exposure fixed"
@@ -91,25 +91,12 @@ public:
                camera.device + ", " + shortNumber(camera.frames_per_second) +
                    " images/s, " + exposure +
                    (camera.exposure ? ", " + textOfSeconds(camera.exposure) : ""));
-      Json entry = {{"device", camera.device},
-                    {"is_recording", camera.is_recording},
-                    {"rate", camera.frames_per_second},
-                    {"is_exposure_fixed", camera.is_exposure_fixed}};
-      if (camera.exposure)
-        entry["exposure"] = *camera.exposure;
-      if (camera.gain)
-        entry["gain"] = *camera.gain;
-      list.push_back(std::move(entry));
     }
     log.warn(report.remarks);
     log.tell("still",
              "largest change " + shortNumber(report.largest_change) + " grey levels, " +
                  std::to_string(report.moved) + " images of a moving scene left out");
-    log.details["cameras"] = std::move(list);
-    log.details["discarded_images"] = report.discarded;
-    log.details["broken"] = report.broken;
-    log.details["moved"] = report.moved;
-    log.details["largest_change"] = report.largest_change;
+    log.details.update(fieldsOf(report, {{"frames"}, {"frames_per_second"}}));
   }
 
 private:

@@ -17,10 +17,8 @@ tellConsolidation(const ConsolidationReport& report, StageLog& log)
 void
 tellDepthNoise(const NoiseScale::InverseDepth& noise, StageLog& log)
 {
-  log.details["depth"] = {{"step", noise.step},
-                          {"independent_sigma", noise.independent},
-                          {"correlated_sigma", noise.correlated},
-                          {"sigma", noise.sigma()}};
+  log.details["depth"] = fieldsOf(noise);
+  log.details["depth"]["sigma"] = noise.sigma();
   const auto at = [](double inverse_depth, double depth) {
     return shortNumber(1000 * inverse_depth * depth * depth) + " mm";
   };
@@ -35,7 +33,7 @@ tellDepthNoise(const NoiseScale::InverseDepth& noise, StageLog& log)
 void
 tellRefinement(const DepthRefinementReport& report, StageLog& log)
 {
-  log.details["refinement"] = jsonOf(report);
+  log.details["refinement"] = jsonOf(report, {{"noise"}}); // told by the depth
   const std::size_t measured_points = report.points - report.invalid_points;
   log.tell("refined",
            percent(report.on_planes, measured_points) + " of the points onto " +

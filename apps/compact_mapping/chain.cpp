@@ -3,6 +3,7 @@
 #include "active_stereo/stereo_options.h"
 #include "entropy_rectification/pose_adjustment.h"
 #include "entropy_rectification/rectification_options.h"
+#include "fields_json.h"
 #include "recording.h"
 #include "visual_egomotion/egomotion_options.h"
 
@@ -35,8 +36,7 @@ void
 tellExtension(const SequenceAlignmentReport& report, StageLog& log)
 {
   log.details["proposals"] = report.revisits.proposals;
-  log.details["places"] = report.places;
-  log.details["agreeing"] = report.agreeing;
+  log.details.update(fieldsOf(report, {{"revisits"}}));
   log.tell("joined",
            "at " + std::to_string(report.agreeing) + " of " +
                std::to_string(report.places) + " places that both maps have seen");

@@ -1,6 +1,7 @@
 #include "digiclops_camera.h"
 
 #include "command_line.h"
+#include "fields_json.h"
 
 #include <pcl/acquisition/digiclops_grabber.h>
 #include <pcl/acquisition/usb_camera.h>
@@ -198,26 +199,18 @@ public:
     const IidcIdentity identity = grabber.camera().identity();
     const DigiclopsGrabberReport report = grabber.getReport();
     const std::string order = textOf(grabber.getChannelOrder());
-    Json check;
-    if (report.order)
-      check = {{"best", textOf(report.order->best)},
-               {"is_certain", report.order->is_certain},
-               {"corners", report.order->corners},
-               {"share", report.order->share},
-               {"runner_up", report.order->runner_up}};
-    log.details["camera"] = {{"place", grabber.camera().place()},
-                             {"serial", identity.serial()},
-                             {"maker", identity.maker},
-                             {"model", identity.model},
-                             {"iidc", identity.version},
-                             {"mode", grabber.getMode().text()},
-                             {"rate", grabber.getFramesPerSecond()},
-                             {"lost", report.lost},
-                             {"broken", report.broken},
-                             {"early", report.early},
-                             {"restarts", report.restarts},
-                             {"channel_order", order},
-                             {"order_check", check}};
+    Json& details = log.details["camera"];
+    details = {{"place", grabber.camera().place()},
+               {"serial", identity.serial()},
+               {"maker", identity.maker},
+               {"model", identity.model},
+               {"iidc", identity.version},
+               {"mode", grabber.getMode().text()},
+               {"rate", grabber.getFramesPerSecond()}};
+    details.update(
+        fieldsOf(report, {{"frames"}, {"frames_per_second"}, {"order_check"}}));
+    details["channel_order"] = order;
+    details["order_check"] = report.order ? fieldsOf(*report.order) : Json();
     log.warn(report.remarks);
     log.tell("camera",
              identity.serial() + ", " + identity.maker + ", " + identity.model + ", " +

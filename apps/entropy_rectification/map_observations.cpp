@@ -1,5 +1,6 @@
 #include "map_observations.h"
 
+#include "fields_json.h"
 #include "length_check.h"
 
 #include <pcl/common/io.h>
@@ -38,9 +39,7 @@ readObservations(const ObservationSequence& sequence,
                      shortNumber(report.min_voxel_size) + " to " +
                      shortNumber(report.max_voxel_size) + " m");
   log.details["consolidated_points"] = report.representatives;
-  log.details["consolidation"] = {{"representatives", report.representatives},
-                                  {"least_voxel", report.min_voxel_size},
-                                  {"largest_voxel", report.max_voxel_size}};
+  log.details["consolidation"] = fieldsOf(report, {{"points"}, {"colored"}});
   for (const std::size_t place : observations.places)
     observations.files.push_back(sequence.name(place));
   observations.load = [sequence, places = observations.places](std::size_t i) {

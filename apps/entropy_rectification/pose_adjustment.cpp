@@ -1,5 +1,7 @@
 #include "pose_adjustment.h"
 
+#include "fields_json.h"
+
 #include <pcl/pipeline/sequence_adjustment.h>
 
 #include <algorithm>
@@ -9,57 +11,23 @@ namespace pcl::acmap {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-const char*
-outcomeName(AdjustmentOutcome outcome)
-{
-  constexpr const char* names[] = {"adjusted", "kept", "refused", "undetermined"};
-  return names[static_cast<std::size_t>(outcome)];
-}
-
-Json
+nlohmann::ordered_json
 detailsOf(const PlaneAdjustmentReport& report,
           const std::optional<RevisitReport>& revisits)
 {
-  const auto in = [](const auto& fields) {
-    Json json;
-    visitFields(fields,
-                [&](const char* name, const auto& value) { json[name] = value; });
-    return json;
-  };
-  Json rounds = Json::array(), uncertainty = Json::array();
-  for (const AdjustmentRound& round : report.rounds)
-    rounds.push_back(in(round));
-  for (const PoseUncertainty& pose : report.uncertainty)
-    uncertainty.push_back({{"position", pose.position}, {"rotation", pose.rotation}});
-  Json details = {{"outcome", outcomeName(report.outcome)},
-                  {outcomeName(report.outcome), report.reason},
-                  {"points", report.points},
-                  {"pieces", report.pieces},
-                  {"planes", report.landmarks},
-                  {"associated_pieces", report.associated_pieces},
-                  {"noise_factor", report.noise_factor},
-                  {"floor", report.floor},
-                  {"attempts", report.attempts},
-                  {"odometry_factors", report.odometry_factors},
-                  {"prior", report.prior},
-                  {"thickness_before", report.thickness_before},
-                  {"thickness_after", report.thickness_after},
-                  {"significance", report.significance},
-                  {"rays_before", in(report.rays_before)},
-                  {"rays_after", in(report.rays_after)},
-                  {"moved", report.moved},
-                  {"turned", report.turned},
-                  {"rounds", rounds},
-                  {"uncertainty", uncertainty}};
-  if (revisits)
-    details["revisits"] = {{"keypoints", revisits->keypoints},
-                           {"proposals", revisits->proposals},
-                           {"consistent", revisits->consistent},
-                           {"verified", revisits->verified},
-                           {"used", report.revisits_used},
-                           {"dropped", report.revisits_dropped}};
+  const char* const outcome = nameIn(adjustment_outcome_names, report.outcome);
+  nlohmann::ordered_json details = fieldsOf(report,
+                                            {{"reason", outcome},
+                                             {"views"},
+                                             {"invalid_points"},
+                                             {"revisits_used"},
+                                             {"revisits_dropped"}});
+  if (revisits) {
+    details["revisits"] =
+        fieldsOf(*revisits, {{"views"}, {"points"}, {"invalid_points"}});
+    details["revisits"]["used"] = report.revisits_used;
+    details["revisits"]["dropped"] = report.revisits_dropped;
+  }
   return details;
 }
 
@@ -98,7 +66,8 @@ adjustPoses(const ObservationSequence& sequence,
   adjustment.compute(sequence, adjusted);
   const PlaneAdjustmentReport& report = adjustment.getReport();
   log.warn(report.remarks);
-  log.tell(std::string("planes ") + outcomeName(report.outcome), report.reason);
+  log.tell(std::string("planes ") + nameIn(adjustment_outcome_names, report.outcome),
+           report.reason);
   log.tell("thickness",
            "of planes seen by several observations " +
                shortNumber(report.thickness_before) + " m, adjusted " +

@@ -37,17 +37,7 @@ constexpr double degrees = 180 / 3.14159265358979323846;
 const char*
 outcomeName(RectificationOutcome outcome)
 {
-  constexpr const char* names[] = {"rectified", "kept", "refused", "undetermined"};
-  return names[static_cast<std::size_t>(outcome)];
-}
-
-Json
-evidenceIn(const MapEvidence& evidence)
-{
-  Json json;
-  visitFields(evidence,
-              [&](const char* name, const auto& value) { json[name] = value; });
-  return json;
+  return nameIn(rectification_outcome_names, outcome);
 }
 
 /** The steps as columns, since there may be thousands of them. */
@@ -55,11 +45,12 @@ Json
 columnsOf(const std::vector<RectificationStep>& steps)
 {
   Json columns;
-  visitFields(RectificationStep(),
-              [&](const char* name, const auto&) { columns[name] = Json::array(); });
+  visitFields(RectificationStep(), [&](const Field& field, const auto&) {
+    columns[field.name] = Json::array();
+  });
   for (const RectificationStep& step : steps)
-    visitFields(step, [&](const char* name, const auto& value) {
-      columns[name].push_back(value);
+    visitFields(step, [&](const Field& field, const auto& value) {
+      columns[field.name].push_back(value);
     });
   return columns;
 }
@@ -67,27 +58,19 @@ columnsOf(const std::vector<RectificationStep>& steps)
 Json
 detailsOf(const RectificationOptions& options, const EntropyRectificationReport& report)
 {
-  const bool is_guarded = options.mode == RectificationMode::Guarded;
-  return {{"input", options.input()},
-          {"output", options.output},
-          {"mode", is_guarded ? "guarded" : "paper"},
-          {"bin_size", options.binSize()},
-          {"seed", options.seed},
-          {"observations", report.observations},
-          {"points", report.points},
-          {"invalid_points", report.invalid_points},
-          {"outcome", outcomeName(report.outcome)},
-          {outcomeName(report.outcome), report.reason},
-          {"evaluations", report.evaluations},
-          {"odometry_scale", report.odometry_scale},
-          {"strongest_action", report.strongest_action},
-          {"disagreement", report.disagreement},
-          {"before", evidenceIn(report.before)},
-          {"after", evidenceIn(report.after)},
-          {"moved", report.moved},
-          {"turned", report.turned},
-          {"steps", columnsOf(report.steps)},
-          {"rectification_seconds", secondsOf(report)}};
+  Json details = {{"input", options.input()},
+                  {"output", options.output},
+                  {"mode", nameIn(rectification_mode_names, options.mode)},
+                  {"bin_size", options.binSize()},
+                  {"seed", options.seed}};
+  details.update(fieldsOf(report,
+                          {{"reason", outcomeName(report.outcome)},
+                           {"votes"},
+                           {"accepted_moves"},
+                           {"steps"}}));
+  details["steps"] = columnsOf(report.steps);
+  details["rectification_seconds"] = secondsOf(report);
+  return details;
 }
 
 double
@@ -185,11 +168,15 @@ level(const RectificationOptions& options,
                (tilt > 0
                     ? "; the map was turned level by " + shortNumber(tilt) + " degrees"
                     : ""));
-  log.details["level"] = {{"found", report.found},
-                          {"up", {report.up.x(), report.up.y(), report.up.z()}},
-                          {"axis", {report.axis.x(), report.axis.y(), report.axis.z()}},
-                          {"tilt_deg", tilt},
-                          {"share", report.share}};
+  Json& details = log.details["level"];
+  details = fieldsOf(report,
+                     {{"observations"},
+                      {"points"},
+                      {"invalid_points"},
+                      {"tilt", "tilt_deg"},
+                      {"uncertainty"},
+                      {"reason"}});
+  details["tilt_deg"] = tilt;
   if (tilt > strong && is_on_a_floor)
     log.warn(
         "the map was not level, but its poses turn about y only: where a hand held "

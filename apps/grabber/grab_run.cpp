@@ -1,6 +1,7 @@
 #include "active_stereo/stereo_observation.h"
 #include "compact_mapping/live_map.h"
 #include "drawn_apart.h"
+#include "fields_json.h"
 #include "frame_queue.h"
 #include "grabber_options.h"
 #include "live_window.h"
@@ -580,11 +581,10 @@ tellRecording(const GrabberOptions& options,
   if (!report.doubled.empty())
     log.warn(std::to_string(report.doubled.size()) +
              " frames whose shot was there before are left out");
-  log.details["recording"] = {{"folder", options.recording()},
-                              {"is_finished", report.is_finished},
-                              {"broken_frames", report.broken},
-                              {"left_out_frames", report.doubled},
-                              {"findings", report.remarks}};
+  Json& details = log.details["recording"];
+  details = {{"folder", options.recording()}};
+  details.update(fieldsOf(report, {{"frames"}, {"missing"}, {"saturated"}, {"black"}}));
+  details["findings"] = report.remarks;
   log.tell("recording", options.recording());
 }
 

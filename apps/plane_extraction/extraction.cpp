@@ -178,7 +178,7 @@ tellInPicture(const PlaneMappingReport& report, StageLog& log)
 {
   nlohmann::ordered_json& details = log.details;
   tellDepthNoise(report.depth_planes->noise, log);
-  details["report"] = jsonOf(*report.depth_planes);
+  details["report"] = jsonOf(*report.depth_planes, {{"noise"}});
   if (report.refinement)
     tellRefinement(*report.refinement, log);
   if (report.mesh)
@@ -300,7 +300,7 @@ void
 tellMapping(const PlaneMappingReport& report, StageLog& log)
 {
   log.warn(report.remarks);
-  log.details["mode"] = report.mode == MappingMode::Paper ? "paper" : "accurate";
+  log.details["mode"] = nameIn(mapping_mode_names, report.mode);
   log.details["consolidated_points"] = report.consolidated_points;
   if (report.depth_planes)
     tellInPicture(report, log);

@@ -1,6 +1,7 @@
 #include "egomotion_options.h"
 
 #include "egomotion_pictures.h"
+#include "fields_json.h"
 #include "length_check.h"
 #include "output_target.h"
 
@@ -178,18 +179,6 @@ compare(Poses truth, const VisualOdometryResult& run, bool is_rigid)
           lengthOf(true_of_found) >= min_length};
 }
 
-const char*
-nameOf(EgomotionOutcome outcome)
-{
-  constexpr const char* names[] = {"estimated",
-                                   "blank view",
-                                   "few features",
-                                   "few matches",
-                                   "inconsistent",
-                                   "unobservable"};
-  return names[static_cast<std::size_t>(outcome)];
-}
-
 /** Standard deviations of all degrees of freedom of the model, metres and radians. */
 Json
 deviationsOf(const EgomotionEstimate& estimate, bool is_rigid)
@@ -205,10 +194,7 @@ deviationsOf(const EgomotionEstimate& estimate, bool is_rigid)
 Json
 jsonOf(const EgomotionEstimate& estimate, bool is_rigid)
 {
-  Json json = {{"action",
-                {{"dx", estimate.action.dx},
-                 {"dz", estimate.action.dz},
-                 {"dtheta", estimate.action.dtheta}}}};
+  Json json = {{"action", fieldsOf(estimate.action)}};
   if (is_rigid) {
     const Eigen::Vector3d t = estimate.T_target_source.translation();
     const Eigen::Quaterniond q(estimate.T_target_source.linear());
@@ -226,7 +212,7 @@ jsonOf(const OdometryPair& pair, const ObservationList& list, bool is_rigid)
   Json json = {{"observation", list.sequence.path(pair.now)},
                {"before", list.sequence.path(pair.before)},
                {"skipped", pair.skipped()},
-               {"outcome", nameOf(report.outcome)}};
+               {"outcome", nameIn(egomotion_outcome_names, report.outcome)}};
   if (pair.estimate)
     json.update(jsonOf(*pair.estimate, is_rigid));
   else
@@ -234,23 +220,10 @@ jsonOf(const OdometryPair& pair, const ObservationList& list, bool is_rigid)
   double seconds = 0;
   for (const auto& step : report.seconds)
     seconds += step.second;
-  json.update({{"keypoints", report.source_keypoints},
-               {"keypoints_before", report.target_keypoints},
-               {"matches", report.matches},
-               {"consistent", report.consistent},
-               {"removed", report.removed},
-               {"fits", report.fits},
-               {"iterations", report.iterations},
-               {"inliers", report.inliers},
-               {"feature_residual", report.feature_residual},
-               {"feature_chi", report.feature_chi},
-               {"is_refined", report.is_refined},
-               {"surface_pairs", report.surface_pairs},
-               {"surface_before", report.surface_before},
-               {"surface_after", report.surface_after},
-               {"contradicted", report.contradicted},
-               {"remarks", report.remarks},
-               {"seconds", seconds}});
+  json.update(
+      fieldsOf(report, {{"reason"}, {"points"}, {"points_before"}, {"is_paper"}}));
+  json["remarks"] = report.remarks;
+  json["seconds"] = seconds;
   return json;
 }
 
@@ -258,14 +231,9 @@ Json
 jsonOf(const TruthComparison& comparison)
 {
   const RelativePoseError& relative = comparison.relative;
-  Json json = {{"pairs", relative.pairs},
-               {"translation_rms", relative.translation_rms},
-               {"translation_median", relative.translation_median},
-               {"rotation_rms", relative.rotation_rms},
-               {"rotation_median", relative.rotation_median},
-               {"rotation_worst", relative.rotation_worst},
-               {"trajectory_error", comparison.absolute.unaligned},
-               {"trajectory_error_aligned", comparison.absolute.aligned}};
+  Json json =
+      fieldsOf(relative, {{"translation_per_metre"}, {"translation_per_metre_median"}});
+  json.update(fieldsOf(comparison.absolute));
   if (comparison.is_moving)
     json["translation_per_metre"] = relative.translation_per_metre;
   return json;
@@ -409,11 +377,7 @@ detailsOf(const EgomotionOptions& options,
                    {{"x", medianDeviation(run, 0, 1)},
                     {"z", medianDeviation(run, 2, 1)},
                     {"about_y", medianDeviation(run, 4, 1)}}},
-                  {"free_motion",
-                   {{"pairs", run.free.pairs},
-                    {"free", run.free.free},
-                    {"tilt", run.free.tilt},
-                    {"rise", run.free.rise}}},
+                  {"free_motion", fieldsOf(run.free)},
                   {"pairs", pairs}};
   if (comparison)
     details["truth"] = jsonOf(*comparison);

@@ -81,7 +81,7 @@ class Room(MapTest):
         self.assertEqual(found.boxes, [])
         self.assertEqual(found.recesses, [])
         for name in ("cylinders", "boxes", "recesses"):
-            self.assertFalse(hasattr(found.report.planes, name), name)
+            self.assertIsNone(getattr(found.report.planes, name), name)
 
     def test_a_room_of_planes_has_no_cylinders(self):
         found = mapping_of_room(rectify=False, primitives=True).compute()
@@ -261,6 +261,9 @@ class Settings(MapTest):
         self.assertEqual(report.rectification.observations, 3)
         self.assertEqual(report.rectification.outcome, report.outcome)
         self.assertIn(f"outcome='{report.outcome}'", str(report))
+        self.assertEqual(report.levelling.up.shape, (3,))
+        self.assertEqual(report.rectification.moved.shape, (3,))
+        self.assertIsNone(report.odometry)
 
     def test_poses_are_adjusted_in_six_degrees_of_freedom(self):
         lifted = [colored_view(pose, 240, 320) for pose in poses]

@@ -3,6 +3,7 @@
 #include "map_format.h"
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/file_format.h>
 #include <pcl/core/impl/map_check.h>
 #include <pcl/core/map_topology.h>
@@ -130,7 +131,7 @@ jsonOfAxes(const Eigen::Matrix3d& axes)
 Json
 jsonOf(const BoxFace& face)
 {
-  Json json = {{"kind", acmap::box_face_kinds[static_cast<std::size_t>(face.kind)]}};
+  Json json = {{"kind", acmap::nameIn(acmap::box_face_kind_names, face.kind)}};
   if (face.kind != BoxFaceKind::Free)
     json["plane"] = face.plane;
   return json;
@@ -249,7 +250,7 @@ Json
 jsonOf(const MapEdge& edge)
 {
   Json json = {{"vertices", edge.vertices},
-               {"kind", acmap::edge_kinds[static_cast<std::size_t>(edge.kind)]},
+               {"kind", acmap::nameIn(acmap::edge_kind_names, edge.kind)},
                {"planes", jsonOfPlanes(edge.planes)}};
   if (edge.kind == EdgeKind::Arc)
     json["cylinder"] = edge.cylinder;
@@ -282,7 +283,7 @@ jsonOf(const MapOpening& opening)
           {"to", jsonOf(opening.to)},
           {"bottom", opening.bottom},
           {"top", opening.top},
-          {"kind", acmap::opening_kinds[static_cast<std::size_t>(opening.kind)]},
+          {"kind", acmap::nameIn(acmap::opening_kind_names, opening.kind)},
           {"planes", jsonOfPlanes(opening.planes)},
           {"rooms", opening.rooms}};
 }

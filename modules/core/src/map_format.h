@@ -2,7 +2,6 @@
 
 #include <pcl/core/compact_map.h>
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -11,17 +10,6 @@
 namespace pcl::acmap {
 
 class ByteSource;
-
-/** \brief The names of \ref EdgeKind in files. */
-inline constexpr std::array<const char*, 6> edge_kinds{
-    "open", "crease", "contact", "rim", "frontier", "arc"};
-
-/** \brief The names of \ref BoxFaceKind in files. */
-inline constexpr std::array<const char*, 4> box_face_kinds{
-    "free", "seen", "snapped", "slanted"};
-
-/** \brief The names of \ref OpeningKind in files. */
-inline constexpr std::array<const char*, 2> opening_kinds{"door", "window"};
 
 /** \brief Describes what is wrong with the equation of a plane, as a continuation of
  * the name of its coefficients; empty if it is valid. */

@@ -308,7 +308,7 @@ readEdges(const JsonCursor& file, CompactMap& map)
     edge.planes = planesOf(item.at("planes"), planes.size());
     edge.kind = kindOf<EdgeKind>(
         item.at("kind"),
-        acmap::edge_kinds,
+        acmap::edge_kind_names,
         "is no kind of an edge: open, crease, contact, rim, frontier or arc");
     if (edge.kind == EdgeKind::Arc)
       edge.cylinder = static_cast<std::int32_t>(
@@ -354,7 +354,7 @@ boxFaceOf(const JsonCursor& json, std::size_t planes)
   BoxFace face;
   face.kind =
       kindOf<BoxFaceKind>(json.at("kind"),
-                          acmap::box_face_kinds,
+                          acmap::box_face_kind_names,
                           "is no kind of a face: free, seen, snapped or slanted");
   if (face.kind != BoxFaceKind::Free)
     face.plane = static_cast<std::int32_t>(
@@ -427,7 +427,7 @@ openingOf(const JsonCursor& json, std::size_t planes, std::size_t rooms)
   opening.bottom = json.at("bottom").numberOrNan();
   opening.top = json.at("top").numberOrNan();
   opening.kind = kindOf<OpeningKind>(json.at("kind"),
-                                     acmap::opening_kinds,
+                                     acmap::opening_kind_names,
                                      "is no kind of an opening: door or window");
   opening.planes = planesOf(json.at("planes"), planes);
   const JsonCursor sides = json.at("rooms");

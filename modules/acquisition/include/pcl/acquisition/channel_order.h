@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/rig_calibration.h>
 #include <pcl/core/trinocular_frame.h>
 
@@ -32,6 +33,18 @@ struct ChannelOrderCheck {
   double share = 0; ///< fraction of them that is found again under \ref best, in [0, 1]
   double runner_up = 0; ///< the same fraction for the second best order
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const ChannelOrderCheck& check, Visitor&& visit)
+{
+  visit({"best"}, textOf(check.best));
+  visit({"is_certain"}, check.is_certain);
+  visit({"corners"}, check.corners);
+  visit({"share"}, check.share);
+  visit({"runner_up"}, check.runner_up);
+}
 
 /** \brief Determines the actual order of the cameras in a frame. Only under the correct
  * order are the corners of the reference image found at the positions in both other

@@ -2,6 +2,7 @@
 
 #include <pcl/acquisition/channel_order.h>
 #include <pcl/acquisition/iidc_camera.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/core/streamed_grabber.h>
 
@@ -33,6 +34,20 @@ struct DigiclopsGrabberReport : Report {
   /** \brief Result of the channel order check; empty before the check. */
   std::optional<ChannelOrderCheck> order;
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const DigiclopsGrabberReport& report, Visitor&& visit)
+{
+  visit({"frames"}, report.frames);
+  visit({"lost"}, report.lost);
+  visit({"broken"}, report.broken);
+  visit({"early"}, report.early);
+  visit({"restarts"}, report.restarts);
+  visit({"frames_per_second", "1/s"}, report.frames_per_second);
+  visit({"order_check"}, report.order);
+}
 
 /** \brief Grabs frames of a trinocular IIDC camera: the Digiclops, related models and
  * compatible devices. Section II-A of "Active Stereo Based Compact Mapping".

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/acquisition/pattern_projector.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/core/streamed_grabber.h>
 
@@ -22,6 +23,16 @@ struct PatternSequenceGrabberReport : Report {
   std::size_t observations = 0; ///< number of complete observations
   std::size_t spared = 0;       ///< number of patterns that were not needed any more
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const PatternSequenceGrabberReport& report, Visitor&& visit)
+{
+  visit({"shots"}, report.shots);
+  visit({"observations"}, report.observations);
+  visit({"spared"}, report.spared);
+}
 
 /** \brief Synchronizes a camera and a projector and grabs observations. An observation
  * consists of one shot with the projector off and one under each pattern. Section II-A

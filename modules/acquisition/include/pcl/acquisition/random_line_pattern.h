@@ -2,6 +2,7 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/image_file.h>
 #include <pcl/core/report.h>
 
@@ -22,6 +23,20 @@ struct RandomLinePatternReport : Report {
   double worst_row_side_lobe = 0; ///< maximum over all rows that were examined
   double worst_column_side_lobe = 0;
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const RandomLinePatternReport& report, Visitor&& visit)
+{
+  visit({"lines"}, report.lines);
+  visit({"coverage"}, report.coverage);
+  visit({"redraws"}, report.redraws);
+  visit({"row_side_lobe"}, report.row_side_lobe);
+  visit({"column_side_lobe"}, report.column_side_lobe);
+  visit({"worst_row_side_lobe"}, report.worst_row_side_lobe);
+  visit({"worst_column_side_lobe"}, report.worst_column_side_lobe);
+}
 
 /** \brief Generates patterns of random lines. A projector shows them on walls without
  * texture, so that stereo matching finds features there. Section II-A of "Active Stereo

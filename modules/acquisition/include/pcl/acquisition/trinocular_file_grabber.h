@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/core/streamed_grabber.h>
 
@@ -17,6 +18,15 @@ struct TrinocularShot {
   std::int32_t observation = 0;
   std::int32_t pattern = TrinocularFrame::no_pattern;
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const TrinocularShot& shot, Visitor&& visit)
+{
+  visit({"observation"}, shot.observation);
+  visit({"pattern"}, shot.pattern);
+}
 
 inline bool
 operator==(const TrinocularShot& a, const TrinocularShot& b)
@@ -51,6 +61,20 @@ struct TrinocularFileReport : Report {
    * in 0..4. */
   std::vector<std::uint64_t> black;
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const TrinocularFileReport& report, Visitor&& visit)
+{
+  visit({"frames"}, report.frames);
+  visit({"is_finished"}, report.is_finished);
+  visit({"broken_frames"}, report.broken);
+  visit({"missing"}, report.missing);
+  visit({"left_out_frames"}, report.doubled);
+  visit({"saturated"}, report.saturated);
+  visit({"black"}, report.black);
+}
 
 /** \brief Image files, which are read by \ref loadRgbImage, one observation, one entry
  * per pattern. \ingroup acquisition */

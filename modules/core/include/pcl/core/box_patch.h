@@ -15,6 +15,14 @@ enum class BoxFaceKind : std::uint8_t {
   Slanted ///< a plane of the map cuts the box there, at another angle; one side at most
 };
 
+namespace acmap {
+
+/** \brief The names of \ref BoxFaceKind in files and in Python. */
+inline constexpr std::array<const char*, 4> box_face_kind_names{
+    "free", "seen", "snapped", "slanted"};
+
+} // namespace acmap
+
 /** \brief A side of a box. \ingroup core */
 struct BoxFace {
   BoxFaceKind kind = BoxFaceKind::Free;

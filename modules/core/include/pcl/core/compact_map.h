@@ -67,6 +67,13 @@ enum class OpeningKind : std::uint8_t {
   Window = 1 ///< the wall continues below it
 };
 
+namespace acmap {
+
+/** \brief The names of \ref OpeningKind in files and in Python. */
+inline constexpr std::array<const char*, 2> opening_kind_names{"door", "window"};
+
+} // namespace acmap
+
 /** \brief An opening of a wall, from floor to floor of the rooms that it joins. Metres.
  * \ingroup core */
 struct MapOpening {

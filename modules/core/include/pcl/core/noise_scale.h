@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/sensor_view.h>
 
@@ -73,6 +74,40 @@ struct NoiseScale {
     return sigma > 0;
   }
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const NoiseScale& scale, Visitor&& visit)
+{
+  visit({"sigma", "m"}, scale.sigma);
+  visit({"spacing", "m"}, scale.spacing);
+  visit({"sparse_spacing", "m"}, scale.sparse_spacing);
+  visit({"confidence"}, scale.confidence);
+  visit({"ranges"}, scale.ranges);
+  visit({"inverse_depth"}, scale.inverse_depth);
+  visit({"remarks"}, scale.remarks);
+}
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const NoiseScale::Range& range, Visitor&& visit)
+{
+  visit({"distance", "m"}, range.distance);
+  visit({"sigma", "m"}, range.sigma);
+  visit({"points"}, range.points);
+}
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const NoiseScale::InverseDepth& noise, Visitor&& visit)
+{
+  visit({"step", "1/m"}, noise.step);
+  visit({"independent_sigma", "1/m"}, noise.independent);
+  visit({"correlated_sigma", "1/m"}, noise.correlated);
+}
 
 namespace acmap {
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/core/fields.h>
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -21,6 +23,16 @@ struct PlanarAction {
   double dx = 0, dz = 0; ///< metres, in the frame before the motion
   double dtheta = 0;     ///< radians
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const PlanarAction& action, Visitor&& visit)
+{
+  visit({"dx", "m"}, action.dx);
+  visit({"dz", "m"}, action.dz);
+  visit({"dtheta", "rad"}, action.dtheta);
+}
 
 /** \brief The pose after an action: p_{t+1} = p_t (+) a_t. \ingroup core */
 inline PlanarPose

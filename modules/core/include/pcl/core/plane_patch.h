@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,6 +18,14 @@ enum class EdgeKind : std::uint8_t {
   Frontier, ///< not seen
   Arc       ///< a cylinder begins
 };
+
+namespace acmap {
+
+/** \brief The names of \ref EdgeKind in files and in Python. */
+inline constexpr std::array<const char*, 6> edge_kind_names{
+    "open", "crease", "contact", "rim", "frontier", "arc"};
+
+} // namespace acmap
 
 /** \brief An edge of a polygon. \ingroup core */
 struct PolygonEdge {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/planar_pose.h>
 
 #include <Eigen/Geometry>
@@ -36,6 +37,21 @@ struct RelativePoseError {
   double translation_per_metre = 0, translation_per_metre_median = 0;
 };
 
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const RelativePoseError& error, Visitor&& visit)
+{
+  visit({"pairs"}, error.pairs);
+  visit({"translation_rms", "m"}, error.translation_rms);
+  visit({"translation_median", "m"}, error.translation_median);
+  visit({"rotation_rms", "rad"}, error.rotation_rms);
+  visit({"rotation_median", "rad"}, error.rotation_median);
+  visit({"rotation_worst", "rad"}, error.rotation_worst);
+  visit({"translation_per_metre"}, error.translation_per_metre);
+  visit({"translation_per_metre_median"}, error.translation_per_metre_median);
+}
+
 /** \brief Summarizes errors of motions, in any order. O(n). \ingroup core */
 ACMAP_EXPORT RelativePoseError
 summaryOf(const std::vector<MotionError>& errors);
@@ -55,6 +71,15 @@ struct AbsoluteTrajectoryError {
   double unaligned = 0; ///< without alignment: the frames must be the same
   double aligned = 0;   ///< after the best rigid alignment, without scale
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const AbsoluteTrajectoryError& error, Visitor&& visit)
+{
+  visit({"trajectory_error", "m"}, error.unaligned);
+  visit({"trajectory_error_aligned", "m"}, error.aligned);
+}
 
 /** \brief Absolute trajectory error in space, aligned by a rigid motion in 3D.
  * \param[in] found, truth corresponding poses T_map_camera

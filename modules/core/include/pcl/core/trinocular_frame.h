@@ -57,14 +57,21 @@ loadCameraImage(const std::string& path);
  * \ingroup core */
 enum class RigCamera { Reference, Horizontal, Vertical };
 
+namespace acmap {
+
+/** \brief The names of \ref RigCamera in files and messages. */
+inline constexpr std::array<const char*, 3> rig_camera_names{
+    "reference", "horizontal", "vertical"};
+
+} // namespace acmap
+
 /** \brief Returns `reference`, `horizontal` or `vertical`, as used in files and
  * messages.
  * \ingroup core */
 inline const char*
 nameOf(RigCamera camera)
 {
-  constexpr std::array<const char*, 3> names = {"reference", "horizontal", "vertical"};
-  return names[static_cast<std::size_t>(camera)];
+  return acmap::rig_camera_names[static_cast<std::size_t>(camera)];
 }
 
 /** \brief Simultaneous images of all cameras of a \ref TrinocularRig (a shot).

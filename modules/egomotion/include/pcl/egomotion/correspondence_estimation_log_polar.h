@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/report.h>
 #include <pcl/egomotion/impl/log_polar_kernel.h>
@@ -24,6 +25,21 @@ struct LogPolarReport : Report {
   std::size_t one_sided = 0;      ///< sources that are not the best of their target
   std::size_t matches = 0;
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const LogPolarReport& report, Visitor&& visit)
+{
+  visit({"source_keypoints"}, report.source_keypoints);
+  visit({"target_keypoints"}, report.target_keypoints);
+  visit({"source_patches"}, report.source_patches);
+  visit({"target_patches"}, report.target_patches);
+  visit({"weak"}, report.weak);
+  visit({"ambiguous"}, report.ambiguous);
+  visit({"one_sided"}, report.one_sided);
+  visit({"matches"}, report.matches);
+}
 
 /** \brief Matches keypoints of two organized clouds by appearance, using the Pearson
  * coefficient of log-polar patches. Feature matching of "Active Stereo Based Compact

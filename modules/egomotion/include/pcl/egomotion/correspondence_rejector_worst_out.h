@@ -2,6 +2,7 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/egomotion/impl/worst_out_kernel.h>
 #include <pcl/memory.h>
@@ -23,6 +24,17 @@ struct WorstOutReport : Report {
   std::size_t invalid = 0; ///< removed because a point is not finite
   double distortion = 0;   ///< largest D_ij of the kept matches
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const WorstOutReport& report, Visitor&& visit)
+{
+  visit({"given"}, report.given);
+  visit({"kept"}, report.kept);
+  visit({"invalid"}, report.invalid);
+  visit({"distortion"}, report.distortion);
+}
 
 /** \brief Removes matches that contradict a rigid motion: leaving the worst out,
  * "Active Stereo Based Compact Mapping", II-B.1 and Eq. 1. A rigid motion preserves

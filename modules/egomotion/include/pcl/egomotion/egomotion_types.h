@@ -1,10 +1,12 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/planar_pose.h>
 #include <pcl/core/report.h>
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -15,6 +17,13 @@ enum class MotionModel {
   Planar, ///< in the XZ plane and about y: the paper's action, 3 degrees of freedom
   Rigid   ///< any rigid motion, 6 degrees of freedom
 };
+
+namespace acmap {
+
+/** \brief The names of \ref MotionModel in files and in Python. */
+inline constexpr std::array<const char*, 2> motion_model_names{"planar", "rigid"};
+
+} // namespace acmap
 
 /** \brief Method for minimising Eq. 2. \ingroup egomotion */
 enum class MotionSolver {
@@ -33,6 +42,18 @@ enum class EgomotionOutcome {
   Unobservable  ///< a translation or rotation is not determined by the inliers
 };
 
+namespace acmap {
+
+/** \brief The names of \ref EgomotionOutcome in files and in Python. */
+inline constexpr std::array<const char*, 6> egomotion_outcome_names{"estimated",
+                                                                    "blank view",
+                                                                    "few features",
+                                                                    "few matches",
+                                                                    "inconsistent",
+                                                                    "unobservable"};
+
+} // namespace acmap
+
 /** \brief A motion from one view to the next. \ingroup egomotion */
 struct EgomotionEstimate {
   /** Maps points of the source (the later view) to the target's frame, metres. */
@@ -45,6 +66,16 @@ struct EgomotionEstimate {
    * squares with equal and independent errors. The paper gives none. */
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const EgomotionEstimate& estimate, Visitor&& visit)
+{
+  visit({"T_target_source"}, estimate.T_target_source);
+  visit({"action"}, estimate.action);
+  visit({"covariance"}, estimate.covariance);
+}
 
 /** \brief Report of VisualEgomotion on its last run. \ingroup egomotion */
 struct EgomotionReport : Report {
@@ -71,5 +102,32 @@ struct EgomotionReport : Report {
   /** Share of the surface blocks that would occlude what the other view has seen. */
   double contradicted = 0;
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const EgomotionReport& report, Visitor&& visit)
+{
+  visit({"outcome"}, acmap::Named{report.outcome, acmap::egomotion_outcome_names});
+  visit({"reason"}, report.reason);
+  visit({"points"}, report.source_points);
+  visit({"points_before"}, report.target_points);
+  visit({"keypoints"}, report.source_keypoints);
+  visit({"keypoints_before"}, report.target_keypoints);
+  visit({"matches"}, report.matches);
+  visit({"consistent"}, report.consistent);
+  visit({"removed"}, report.removed);
+  visit({"is_paper"}, report.is_paper);
+  visit({"fits"}, report.fits);
+  visit({"iterations"}, report.iterations);
+  visit({"inliers"}, report.inliers);
+  visit({"feature_residual", "m"}, report.feature_residual);
+  visit({"feature_chi"}, report.feature_chi);
+  visit({"is_refined"}, report.is_refined);
+  visit({"surface_pairs"}, report.surface_pairs);
+  visit({"surface_before", "m"}, report.surface_before);
+  visit({"surface_after", "m"}, report.surface_after);
+  visit({"contradicted"}, report.contradicted);
+}
 
 } // namespace pcl

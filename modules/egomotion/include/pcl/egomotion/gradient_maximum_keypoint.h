@@ -2,6 +2,7 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/report.h>
 #include <pcl/egomotion/impl/keypoint_kernel.h>
@@ -19,6 +20,17 @@ struct GradientMaximumReport : Report {
   std::size_t without_place = 0; ///< maxima without a point, or not among the indices
   std::size_t left_out = 0;      ///< maxima with a point beyond the maximum number
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const GradientMaximumReport& report, Visitor&& visit)
+{
+  visit({"keypoints"}, report.keypoints);
+  visit({"maxima"}, report.maxima);
+  visit({"without_place"}, report.without_place);
+  visit({"left_out"}, report.left_out);
+}
 
 /** \brief Keypoints that can be recognised again: strict local maxima of the gradient
  * of the reference image that have a 3D point. Feature extraction of "Active Stereo

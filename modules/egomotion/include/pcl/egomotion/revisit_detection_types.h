@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/egomotion/egomotion_types.h>
 
@@ -29,5 +30,19 @@ struct RevisitReport : Report {
   std::size_t consistent = 0; ///< of these, those whose keypoints agree in space
   std::size_t verified = 0;   ///< of these, those that the surfaces confirm
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const RevisitReport& report, Visitor&& visit)
+{
+  visit({"views"}, report.views);
+  visit({"points"}, report.points);
+  visit({"invalid_points"}, report.invalid_points);
+  visit({"keypoints"}, report.keypoints);
+  visit({"proposals"}, report.proposals);
+  visit({"consistent"}, report.consistent);
+  visit({"verified"}, report.verified);
+}
 
 } // namespace pcl

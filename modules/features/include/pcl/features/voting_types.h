@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 
 #include <cstddef>
@@ -34,23 +35,23 @@ struct VotingReport : Report {
   double sigma = 0;     ///< metres; noise of the vertices across the surface
 };
 
-/** \brief Calls visit (name, value) for each field, under its name in files. */
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
 template <typename Visitor>
 void
 visitFields(const VotingReport& report, Visitor&& visit)
 {
-  visit("vertices", report.vertices);
-  visit("invalid_points", report.invalid_points);
-  visit("triangles", report.triangles);
-  visit("degenerate_triangles", report.degenerate_triangles);
-  visit("surface", report.surface);
-  visit("crease", report.crease);
-  visit("corner", report.corner);
-  visit("unknown", report.unknown);
-  visit("votes", report.votes);
-  visit("radius", report.radius);
-  visit("mean_edge", report.mean_edge);
-  visit("sigma", report.sigma);
+  visit({"vertices"}, report.vertices);
+  visit({"invalid_points"}, report.invalid_points);
+  visit({"triangles"}, report.triangles);
+  visit({"degenerate_triangles"}, report.degenerate_triangles);
+  visit({"surface"}, report.surface);
+  visit({"crease"}, report.crease);
+  visit({"corner"}, report.corner);
+  visit({"unknown"}, report.unknown);
+  visit({"votes"}, report.votes);
+  visit({"radius", "m"}, report.radius);
+  visit({"mean_edge", "m"}, report.mean_edge);
+  visit({"sigma", "m"}, report.sigma);
 }
 
 } // namespace pcl

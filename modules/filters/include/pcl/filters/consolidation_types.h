@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/report.h>
 
@@ -30,23 +31,23 @@ struct ConsolidationReport : Report {
   double residual = 0;   ///< metres; estimated median noise of a representative
 };
 
-/** \brief Calls visit (name, value) for each field, under its name in files. */
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
 template <typename Visitor>
 void
 visitFields(const ConsolidationReport& report, Visitor&& visit)
 {
-  visit("points", report.points);
-  visit("invalid_points", report.invalid_points);
-  visit("distant_points", report.distant_points);
-  visit("voxels", report.voxels);
-  visit("representatives", report.representatives);
-  visit("two_sided_voxels", report.two_sided_voxels);
-  visit("narrowed_windows", report.narrowed_windows);
-  visit("without_normal", report.without_normal);
-  visit("sensors_fit", report.sensors_fit);
-  visit("voxel_size", report.voxel_size);
-  visit("sigma", report.sigma);
-  visit("residual", report.residual);
+  visit({"points"}, report.points);
+  visit({"invalid_points"}, report.invalid_points);
+  visit({"distant_points"}, report.distant_points);
+  visit({"voxels"}, report.voxels);
+  visit({"representatives"}, report.representatives);
+  visit({"two_sided_voxels"}, report.two_sided_voxels);
+  visit({"narrowed_windows"}, report.narrowed_windows);
+  visit({"without_normal"}, report.without_normal);
+  visit({"sensors_fit"}, report.sensors_fit);
+  visit({"voxel_size", "m"}, report.voxel_size);
+  visit({"sigma", "m"}, report.sigma);
+  visit({"residual", "m"}, report.residual);
 }
 
 /** \brief Maximum edge length of a mesh of consolidated points, in voxels: it bridges the

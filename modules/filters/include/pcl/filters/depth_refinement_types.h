@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/report.h>
 
@@ -18,17 +19,18 @@ struct DepthRefinementReport : Report {
   NoiseScale::InverseDepth noise; ///< of the view, 1/m
 };
 
-/** \brief Calls visit (name, value) for each field, under its name in files. */
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
 template <typename Visitor>
 void
 visitFields(const DepthRefinementReport& report, Visitor&& visit)
 {
-  visit("points", report.points);
-  visit("invalid_points", report.invalid_points);
-  visit("on_planes", report.on_planes);
-  visit("smoothed", report.smoothed);
-  visit("withdrawn", report.withdrawn);
-  visit("planes", report.planes);
+  visit({"points"}, report.points);
+  visit({"invalid_points"}, report.invalid_points);
+  visit({"on_planes"}, report.on_planes);
+  visit({"smoothed"}, report.smoothed);
+  visit({"withdrawn"}, report.withdrawn);
+  visit({"planes"}, report.planes);
+  visit({"noise"}, report.noise);
 }
 
 } // namespace pcl

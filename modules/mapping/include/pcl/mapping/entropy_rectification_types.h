@@ -1,7 +1,9 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -17,6 +19,14 @@ enum class RectificationMode {
   Paper
 };
 
+namespace acmap {
+
+/** \brief The names of \ref RectificationMode in files and in Python. */
+inline constexpr std::array<const char*, 2> rectification_mode_names{"guarded",
+                                                                     "paper"};
+
+} // namespace acmap
+
 /** \brief Outcome of EntropyRectification. \ingroup mapping */
 enum class RectificationOutcome {
   Rectified,   ///< the poses were rectified
@@ -24,6 +34,14 @@ enum class RectificationOutcome {
   Refused,     ///< the rays contradict all candidates: poses unchanged
   Undetermined ///< there is no information: the poses are unchanged
 };
+
+namespace acmap {
+
+/** \brief The names of \ref RectificationOutcome in files and in Python. */
+inline constexpr std::array<const char*, 4> rectification_outcome_names{
+    "rectified", "kept", "refused", "undetermined"};
+
+} // namespace acmap
 
 /** \brief Expected errors of a robot's odometry: standard deviations for an action of
  * length l and turn dtheta. \ingroup mapping */
@@ -43,16 +61,16 @@ struct RectificationStep {
   double energy = 0;   ///< minimised value: weighted sum of both
 };
 
-/** \brief Calls visit (name, value) for each field, under its name in files. */
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
 template <typename Visitor>
 void
 visitFields(const RectificationStep& step, Visitor&& visit)
 {
-  visit("search", step.search);
-  visit("bin_size", step.bin_size);
-  visit("entropy", step.entropy);
-  visit("prior", step.prior);
-  visit("energy", step.energy);
+  visit({"search"}, step.search);
+  visit({"bin_size", "m"}, step.bin_size);
+  visit({"entropy", "bits"}, step.entropy);
+  visit({"prior"}, step.prior);
+  visit({"energy"}, step.energy);
 }
 
 /** \brief Evidence from the rays and points of a map, which the search does not use.
@@ -82,20 +100,20 @@ struct MapEvidence {
   double orthogonal_variance = 0;
 };
 
-/** \brief Calls visit (name, value) for each field, under its name in files. */
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
 template <typename Visitor>
 void
 visitFields(const MapEvidence& evidence, Visitor&& visit)
 {
-  visit("rays", evidence.rays);
-  visit("near_contradictions", evidence.near_contradictions);
-  visit("far_contradictions", evidence.far_contradictions);
-  visit("near_rays", evidence.near_rays);
-  visit("far_rays", evidence.far_rays);
-  visit("pair_contradictions", evidence.pair_contradictions);
-  visit("contradicted_pairs", evidence.contradicted_pairs);
-  visit("mean_map_entropy", evidence.mean_map_entropy);
-  visit("orthogonal_variance", evidence.orthogonal_variance);
+  visit({"rays"}, evidence.rays);
+  visit({"near_contradictions"}, evidence.near_contradictions);
+  visit({"far_contradictions"}, evidence.far_contradictions);
+  visit({"near_rays"}, evidence.near_rays);
+  visit({"far_rays"}, evidence.far_rays);
+  visit({"pair_contradictions"}, evidence.pair_contradictions);
+  visit({"contradicted_pairs"}, evidence.contradicted_pairs);
+  visit({"mean_map_entropy", "nats"}, evidence.mean_map_entropy);
+  visit({"orthogonal_variance", "m^2"}, evidence.orthogonal_variance);
 }
 
 /** \brief Report of the last run of EntropyRectification. \ingroup mapping */
@@ -114,5 +132,28 @@ struct EntropyRectificationReport : Report {
   std::vector<double> moved;  ///< metres, for each observation
   std::vector<double> turned; ///< radians, for each observation
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const EntropyRectificationReport& report, Visitor&& visit)
+{
+  visit({"observations"}, report.observations);
+  visit({"points"}, report.points);
+  visit({"invalid_points"}, report.invalid_points);
+  visit({"outcome"}, acmap::Named{report.outcome, acmap::rectification_outcome_names});
+  visit({"reason"}, report.reason);
+  visit({"evaluations"}, report.evaluations);
+  visit({"votes"}, report.votes);
+  visit({"accepted_moves"}, report.accepted_moves);
+  visit({"odometry_scale"}, report.odometry_scale);
+  visit({"strongest_action"}, report.strongest_action);
+  visit({"disagreement", "m"}, report.disagreement);
+  visit({"before"}, report.before);
+  visit({"after"}, report.after);
+  visit({"moved", "m"}, report.moved);
+  visit({"turned", "rad"}, report.turned);
+  visit({"steps"}, report.steps);
+}
 
 } // namespace pcl

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 
 #include <cstddef>
@@ -32,5 +33,21 @@ struct MapEntropyReport : Report {
   std::size_t cells = 0;           ///< representing the points; 0 if computed exactly
   std::size_t bins_x = 0, bins_z = 0, layers = 0; ///< of the grid, with margins
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const MapEntropyReport& report, Visitor&& visit)
+{
+  visit({"observations"}, report.observations);
+  visit({"points"}, report.points);
+  visit({"invalid_points"}, report.invalid_points);
+  visit({"distant_points"}, report.distant_points);
+  visit({"directed_points"}, report.directed_points);
+  visit({"cells"}, report.cells);
+  visit({"bins_x"}, report.bins_x);
+  visit({"bins_z"}, report.bins_z);
+  visit({"layers"}, report.layers);
+}
 
 } // namespace pcl

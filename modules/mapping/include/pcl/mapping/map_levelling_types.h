@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 
 #include <Eigen/Core>
@@ -21,5 +22,22 @@ struct MapLevellingReport : Report {
   double share = 0;
   std::string reason; ///< one line: what determined the up direction
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const MapLevellingReport& report, Visitor&& visit)
+{
+  visit({"observations"}, report.observations);
+  visit({"points"}, report.points);
+  visit({"invalid_points"}, report.invalid_points);
+  visit({"found"}, report.found);
+  visit({"up"}, report.up);
+  visit({"axis"}, report.axis);
+  visit({"tilt", "rad"}, report.tilt);
+  visit({"uncertainty", "rad"}, report.uncertainty);
+  visit({"share"}, report.share);
+  visit({"reason"}, report.reason);
+}
 
 } // namespace pcl

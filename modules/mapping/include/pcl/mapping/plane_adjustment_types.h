@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 
 #include <array>
@@ -17,6 +18,14 @@ enum class AdjustmentOutcome {
   Undetermined ///< no plane is seen from two views: the poses are unchanged
 };
 
+namespace acmap {
+
+/** \brief The names of \ref AdjustmentOutcome in files and in Python. */
+inline constexpr std::array<const char*, 4> adjustment_outcome_names{
+    "adjusted", "kept", "refused", "undetermined"};
+
+} // namespace acmap
+
 /** \brief One association of pieces and the steps that follow it. \ingroup mapping */
 struct AdjustmentRound {
   double gate = 0;           ///< metres, largest distance across a plane
@@ -28,18 +37,18 @@ struct AdjustmentRound {
   double moved = 0;          ///< metres, farthest move of a pose in this round
 };
 
-/** \brief Calls visit (name, value) for each field, under its name in files. */
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
 template <typename Visitor>
 void
 visitFields(const AdjustmentRound& round, Visitor&& visit)
 {
-  visit("gate", round.gate);
-  visit("floor", round.floor);
-  visit("landmarks", round.landmarks);
-  visit("pieces", round.pieces);
-  visit("prior", round.prior);
-  visit("thickness", round.thickness);
-  visit("moved", round.moved);
+  visit({"gate", "m"}, round.gate);
+  visit({"floor", "m"}, round.floor);
+  visit({"landmarks"}, round.landmarks);
+  visit({"pieces"}, round.pieces);
+  visit({"prior"}, round.prior);
+  visit({"thickness", "m"}, round.thickness);
+  visit({"moved", "m"}, round.moved);
 }
 
 /** \brief Contradictions of a set of poses by rays: a ray is contradicted if it passes
@@ -51,15 +60,15 @@ struct RayContradictions {
   double near_share = 0, far_share = 0;    ///< 0 without evidence
 };
 
-/** \brief Calls visit (name, value) for each field, under its name in files. */
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
 template <typename Visitor>
 void
 visitFields(const RayContradictions& rays, Visitor&& visit)
 {
-  visit("near_rays", rays.near_rays);
-  visit("far_rays", rays.far_rays);
-  visit("near_share", rays.near_share);
-  visit("far_share", rays.far_share);
+  visit({"near_rays"}, rays.near_rays);
+  visit({"far_rays"}, rays.far_rays);
+  visit({"near_share"}, rays.near_share);
+  visit({"far_share"}, rays.far_share);
 }
 
 /** \brief Standard deviation of a pose with respect to the first one. \ingroup mapping */
@@ -67,6 +76,15 @@ struct PoseUncertainty {
   double position = 0; ///< metres, square root of the trace of the covariance
   double rotation = 0; ///< radians, likewise
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const PoseUncertainty& pose, Visitor&& visit)
+{
+  visit({"position", "m"}, pose.position);
+  visit({"rotation", "rad"}, pose.rotation);
+}
 
 /** \brief Report of PlaneAdjustment on its last run. \ingroup mapping */
 struct PlaneAdjustmentReport : Report {
@@ -98,5 +116,36 @@ struct PlaneAdjustmentReport : Report {
   std::vector<double> moved;                ///< metres, for each view
   std::vector<double> turned;               ///< radians, for each view
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const PlaneAdjustmentReport& report, Visitor&& visit)
+{
+  visit({"outcome"}, acmap::Named{report.outcome, acmap::adjustment_outcome_names});
+  visit({"reason"}, report.reason);
+  visit({"views"}, report.views);
+  visit({"points"}, report.points);
+  visit({"invalid_points"}, report.invalid_points);
+  visit({"pieces"}, report.pieces);
+  visit({"planes"}, report.landmarks);
+  visit({"associated_pieces"}, report.associated_pieces);
+  visit({"noise_factor"}, report.noise_factor);
+  visit({"floor", "m"}, report.floor);
+  visit({"attempts"}, report.attempts);
+  visit({"odometry_factors"}, report.odometry_factors);
+  visit({"prior"}, report.prior);
+  visit({"thickness_before", "m"}, report.thickness_before);
+  visit({"thickness_after", "m"}, report.thickness_after);
+  visit({"significance"}, report.significance);
+  visit({"revisits_used"}, report.revisits_used);
+  visit({"revisits_dropped"}, report.revisits_dropped);
+  visit({"rays_before"}, report.rays_before);
+  visit({"rays_after"}, report.rays_after);
+  visit({"moved", "m"}, report.moved);
+  visit({"turned", "rad"}, report.turned);
+  visit({"rounds"}, report.rounds);
+  visit({"uncertainty"}, report.uncertainty);
+}
 
 } // namespace pcl

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/compact_map.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/report.h>
 #include <pcl/egomotion/revisit_detection_types.h>
@@ -74,5 +75,26 @@ struct CompactMappingReport : Report {
   std::size_t rank_messages = 0; ///< that rank 0 has sent and received
   std::size_t rank_bytes = 0;    ///< of these messages
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const CompactMappingReport& report, Visitor&& visit)
+{
+  visit({"mode"}, acmap::Named{report.mode, acmap::mapping_mode_names});
+  visit({"odometry"}, report.odometry);
+  visit({"extension"}, report.extension);
+  visit({"consolidation"}, report.consolidation);
+  visit({"levelling"}, report.levelling);
+  visit({"rectification"}, report.rectification);
+  visit({"adjustment"}, report.adjustment);
+  visit({"revisits"}, report.revisits);
+  visit({"merging"}, report.merging);
+  visit({"planes"}, report.planes);
+  visit({"texture"}, report.texture);
+  visit({"ranks"}, report.ranks);
+  visit({"rank_messages"}, report.rank_messages);
+  visit({"rank_bytes", "bytes"}, report.rank_bytes);
+}
 
 } // namespace pcl

@@ -2,6 +2,7 @@
 
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/pipeline/cost_callback.h>
@@ -49,6 +50,17 @@ struct MergingReport : Report {
   std::size_t points = 0;       ///< of the merged cloud
   std::size_t every = 1; ///< step between the finite points that were kept: every n-th
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const MergingReport& report, Visitor&& visit)
+{
+  visit({"observations"}, report.observations);
+  visit({"refined"}, report.refined);
+  visit({"points"}, report.points);
+  visit({"every"}, report.every);
+}
 
 /** \brief Merges the observations of a sequence to one cloud with the observation of
  * each point in a field; the input of \ref PlaneMapping.

@@ -3,6 +3,7 @@
 #include <pcl/core/box_patch.h>
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/cylinder_patch.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/plane_patch.h>
 #include <pcl/core/recess_patch.h>
@@ -21,6 +22,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -33,6 +35,13 @@ enum class MappingMode {
   Accurate, ///< with all that acmap adds to the paper
   Paper     ///< every step as the paper has it, with nothing added
 };
+
+namespace acmap {
+
+/** \brief The names of \ref MappingMode in files and in Python. */
+inline constexpr std::array<const char*, 2> mapping_mode_names{"accurate", "paper"};
+
+} // namespace acmap
 
 /** \brief Which clouds PlaneMapping consolidates. \ingroup pipeline */
 enum class ConsolidationPolicy {
@@ -101,5 +110,24 @@ struct PlaneMappingReport : Report {
   std::optional<BoxFittingReport> boxes;             ///< the same
   std::optional<RecessFittingReport> recesses;       ///< the same, with the boxes
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const PlaneMappingReport& report, Visitor&& visit)
+{
+  visit({"mode"}, acmap::Named{report.mode, acmap::mapping_mode_names});
+  visit({"consolidated_points"}, report.consolidated_points);
+  visit({"noise_scale"}, report.noise_scale);
+  visit({"consolidation"}, report.consolidation);
+  visit({"depth_planes"}, report.depth_planes);
+  visit({"refinement"}, report.refinement);
+  visit({"mesh"}, report.mesh);
+  visit({"votes"}, report.votes);
+  visit({"planes"}, report.planes);
+  visit({"cylinders"}, report.cylinders);
+  visit({"boxes"}, report.boxes);
+  visit({"recesses"}, report.recesses);
+}
 
 } // namespace pcl

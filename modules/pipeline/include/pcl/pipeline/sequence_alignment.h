@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/egomotion/egomotion_types.h>
@@ -21,6 +22,16 @@ struct SequenceAlignmentReport : Report {
   std::size_t places = 0;   ///< pairs of views, one of each sequence, of one place
   std::size_t agreeing = 0; ///< of these, those that agree with the result
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const SequenceAlignmentReport& report, Visitor&& visit)
+{
+  visit({"revisits"}, report.revisits);
+  visit({"places"}, report.places);
+  visit({"agreeing"}, report.agreeing);
+}
 
 /** \brief Finds the motion between the maps of two sequences, by places that both have
  * seen (\ref RevisitDetection): a second session extends the map of a first one.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/core/trajectory.h>
@@ -51,6 +52,18 @@ struct SequenceConsolidationReport : Report {
   double max_voxel_size = 0;       ///< metres; 0 if raw
   bool colored = false;            ///< Does an observation have colours?
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const SequenceConsolidationReport& report, Visitor&& visit)
+{
+  visit({"points"}, report.points);
+  visit({"representatives"}, report.representatives);
+  visit({"least_voxel", "m"}, report.min_voxel_size);
+  visit({"largest_voxel", "m"}, report.max_voxel_size);
+  visit({"colored"}, report.colored);
+}
 
 /** \brief Consolidates each observation of a sequence on its own: the input of
  * \ref EntropyRectification.

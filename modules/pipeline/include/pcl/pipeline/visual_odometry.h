@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/core/trajectory.h>
@@ -38,6 +39,17 @@ struct OdometryPair {
   reason(const std::vector<std::string>& names) const;
 };
 
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const OdometryPair& pair, Visitor&& visit)
+{
+  visit({"now"}, pair.now);
+  visit({"before"}, pair.before);
+  visit({"report"}, pair.report);
+  visit({"estimate"}, pair.estimate);
+}
+
 /** \brief Deviation of the camera from planar motion (in its xz plane and about its y
  * axis), from one observation to the next.
  * \ingroup pipeline */
@@ -47,6 +59,17 @@ struct FreeMotion {
   double tilt = 0;       ///< of its y axis, radians, median
   double rise = 0;       ///< along y, metres, absolute value, median
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const FreeMotion& motion, Visitor&& visit)
+{
+  visit({"pairs"}, motion.pairs);
+  visit({"free"}, motion.free);
+  visit({"tilt", "rad"}, motion.tilt);
+  visit({"rise", "m"}, motion.rise);
+}
 
 /** \brief Poses of a sequence, and the motions that they were computed from.
  *
@@ -80,6 +103,16 @@ struct VisualOdometryResult {
   ACMAP_EXPORT EstimatedPoses
   estimated(const std::vector<double>& stamps) const;
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const VisualOdometryResult& result, Visitor&& visit)
+{
+  visit({"pairs"}, result.pairs);
+  visit({"poses"}, result.poses);
+  visit({"free_motion"}, result.free);
+}
 
 /** \brief Estimates the poses of a sequence from its observations alone: the motions of
  * \ref VisualEgomotion, II-B.1 of "Active Stereo Based Compact Mapping", one after the

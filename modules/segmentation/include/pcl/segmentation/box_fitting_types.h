@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 
 #include <cstddef>
@@ -22,20 +23,20 @@ struct BoxFittingReport : Report {
   double sigma = 0; ///< metres; noise of the planes, weighted by their areas
 };
 
-/** \brief Calls visit (name, value) for each field, under its name in files. */
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
 template <typename Visitor>
 void
 visitFields(const BoxFittingReport& report, Visitor&& visit)
 {
-  visit("planes", report.planes);
-  visit("invalid_planes", report.invalid_planes);
-  visit("edges", report.edges);
-  visit("boxes", report.boxes);
-  visit("templates", report.templates);
-  visit("faces", report.faces);
-  visit("bits_before", report.bits_before);
-  visit("bits_after", report.bits_after);
-  visit("sigma", report.sigma);
+  visit({"planes"}, report.planes);
+  visit({"invalid_planes"}, report.invalid_planes);
+  visit({"edges"}, report.edges);
+  visit({"boxes"}, report.boxes);
+  visit({"templates"}, report.templates);
+  visit({"faces"}, report.faces);
+  visit({"bits_before", "bits"}, report.bits_before);
+  visit({"bits_after", "bits"}, report.bits_after);
+  visit({"sigma", "m"}, report.sigma);
 }
 
 } // namespace pcl

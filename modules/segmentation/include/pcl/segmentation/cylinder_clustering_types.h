@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 
 #include <cstddef>
@@ -27,23 +28,23 @@ struct CylinderClusteringReport : Report {
   double sigma = 0;   ///< metres; noise of the points that was measured or set
 };
 
-/** \brief Calls visit (name, value) for each field, under its name in files. */
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
 template <typename Visitor>
 void
 visitFields(const CylinderClusteringReport& report, Visitor&& visit)
 {
-  visit("points", report.points);
-  visit("invalid_points", report.invalid_points);
-  visit("planes", report.planes);
-  visit("replaced_planes", report.replaced_planes);
-  visit("cylinders", report.cylinders);
-  visit("templates", report.templates);
-  visit("points_on_planes", report.points_on_planes);
-  visit("points_on_cylinders", report.points_on_cylinders);
-  visit("bits_before", report.bits_before);
-  visit("bits_after", report.bits_after);
-  visit("spacing", report.spacing);
-  visit("sigma", report.sigma);
+  visit({"points"}, report.points);
+  visit({"invalid_points"}, report.invalid_points);
+  visit({"planes"}, report.planes);
+  visit({"replaced_planes"}, report.replaced_planes);
+  visit({"cylinders"}, report.cylinders);
+  visit({"templates"}, report.templates);
+  visit({"points_on_planes"}, report.points_on_planes);
+  visit({"points_on_cylinders"}, report.points_on_cylinders);
+  visit({"bits_before", "bits"}, report.bits_before);
+  visit({"bits_after", "bits"}, report.bits_after);
+  visit({"spacing", "m"}, report.spacing);
+  visit({"sigma", "m"}, report.sigma);
 }
 
 } // namespace pcl

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/report.h>
 
@@ -22,20 +23,21 @@ struct DepthPlaneReport : Report {
   NoiseScale::InverseDepth noise; ///< of the view, 1/m
 };
 
-/** \brief Calls visit (name, value) for each field, under its name in files. */
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
 template <typename Visitor>
 void
 visitFields(const DepthPlaneReport& report, Visitor&& visit)
 {
-  visit("points", report.points);
-  visit("invalid_points", report.invalid_points);
-  visit("planes", report.planes);
-  visit("points_on_planes", report.points_on_planes);
-  visit("small_regions", report.small_regions);
-  visit("curved_regions", report.curved_regions);
-  visit("merged", report.merged);
-  visit("regular_planes", report.regular_planes);
-  visit("largest_turn", report.largest_turn);
+  visit({"points"}, report.points);
+  visit({"invalid_points"}, report.invalid_points);
+  visit({"planes"}, report.planes);
+  visit({"points_on_planes"}, report.points_on_planes);
+  visit({"small_regions"}, report.small_regions);
+  visit({"curved_regions"}, report.curved_regions);
+  visit({"merged"}, report.merged);
+  visit({"regular_planes"}, report.regular_planes);
+  visit({"largest_turn", "rad"}, report.largest_turn);
+  visit({"noise"}, report.noise);
 }
 
 } // namespace pcl

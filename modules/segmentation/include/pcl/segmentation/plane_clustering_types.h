@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 
 #include <cstddef>
@@ -33,29 +34,29 @@ struct PlaneClusteringReport : Report {
   double plane_distance = 0; ///< metres; W_t that was used
 };
 
-/** \brief Calls visit (name, value) for each field, under its name in files. */
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
 template <typename Visitor>
 void
 visitFields(const PlaneClusteringReport& report, Visitor&& visit)
 {
-  visit("points", report.points);
-  visit("invalid_points", report.invalid_points);
-  visit("hypotheses", report.hypotheses);
-  visit("tested_hypotheses", report.tested_hypotheses);
-  visit("reestimations", report.reestimations);
-  visit("planes", report.planes);
-  visit("points_on_planes", report.points_on_planes);
-  visit("small_regions", report.small_regions);
-  visit("curved_regions", report.curved_regions);
-  visit("points_on_curved", report.points_on_curved);
-  visit("refuted_regions", report.refuted_regions);
-  visit("merged", report.merged);
-  visit("contour_outlines", report.contour_outlines);
-  visit("regular_planes", report.regular_planes);
-  visit("largest_turn", report.largest_turn);
-  visit("spacing", report.spacing);
-  visit("sigma", report.sigma);
-  visit("plane_distance", report.plane_distance);
+  visit({"points"}, report.points);
+  visit({"invalid_points"}, report.invalid_points);
+  visit({"hypotheses"}, report.hypotheses);
+  visit({"tested_hypotheses"}, report.tested_hypotheses);
+  visit({"reestimations"}, report.reestimations);
+  visit({"planes"}, report.planes);
+  visit({"points_on_planes"}, report.points_on_planes);
+  visit({"small_regions"}, report.small_regions);
+  visit({"curved_regions"}, report.curved_regions);
+  visit({"points_on_curved"}, report.points_on_curved);
+  visit({"refuted_regions"}, report.refuted_regions);
+  visit({"merged"}, report.merged);
+  visit({"contour_outlines"}, report.contour_outlines);
+  visit({"regular_planes"}, report.regular_planes);
+  visit({"largest_turn", "rad"}, report.largest_turn);
+  visit({"spacing", "m"}, report.spacing);
+  visit({"sigma", "m"}, report.sigma);
+  visit({"plane_distance", "m"}, report.plane_distance);
 }
 
 } // namespace pcl

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/core/trinocular_grabber.h>
 #include <pcl/stereo/disparity_back_projection.h>
@@ -17,6 +18,15 @@ struct ActiveStereoGrabberReport : Report {
   std::size_t frames = 0;       ///< received from the frame grabber
   std::size_t observations = 0; ///< delivered as clouds
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const ActiveStereoGrabberReport& report, Visitor&& visit)
+{
+  visit({"frames"}, report.frames);
+  visit({"observations"}, report.observations);
+}
 
 /** \brief One observation, as delivered by \ref ActiveStereoGrabber.
  * \ingroup stereo */

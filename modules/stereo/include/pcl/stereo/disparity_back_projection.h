@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/report.h>
 #include <pcl/core/trinocular_frame.h>
@@ -20,6 +21,17 @@ struct DisparityBackProjectionReport : Report {
   std::size_t too_near = 0; ///< nearer than the minimum depth
   std::size_t too_far = 0;  ///< beyond the maximum depth, or disparity 0 or below
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const DisparityBackProjectionReport& report, Visitor&& visit)
+{
+  visit({"points"}, report.points);
+  visit({"invalid"}, report.invalid);
+  visit({"too_near"}, report.too_near);
+  visit({"too_far"}, report.too_far);
+}
 
 /** \brief Turns disparities into an organized cloud in the frame of the reference
  * camera (x right, y down, z forward, metres): Z = f B / d,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/progress.h>
 #include <pcl/core/report.h>
 #include <pcl/core/trinocular_frame.h>
@@ -29,6 +30,18 @@ struct DisparityFusionReport : Report {
    * reference whose grey levels vary enough over the shots so far, in [0, 1]. */
   std::vector<double> coverage;
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const DisparityFusionReport& report, Visitor&& visit)
+{
+  visit({"shots"}, report.shots);
+  visit({"off_shots"}, report.off_shots);
+  visit({"is_passive"}, report.is_passive);
+  visit({"outcomes"}, acmap::Named{report.outcomes, acmap::disparity_outcome_names});
+  visit({"coverage"}, report.coverage);
+}
 
 /** \brief Computes one disparity image from the shots of an observation. Section II-A
  * of "Active Stereo Based Compact Mapping".

@@ -30,6 +30,22 @@ enum class DisparityOutcome : std::uint8_t {
 /** \brief Number of outcomes. \ingroup stereo */
 inline constexpr std::size_t disparity_outcomes = 9;
 
+namespace acmap {
+
+/** \brief The names of \ref DisparityOutcome in files and messages. */
+inline constexpr std::array<const char*, disparity_outcomes> disparity_outcome_names{
+    "matched",
+    "out of view",
+    "untextured",
+    "uncorrelated",
+    "ambiguous",
+    "one-sided",
+    "pairs disagree",
+    "too few shots",
+    "inconsistent"};
+
+} // namespace acmap
+
 /** \brief Short name of the outcome, as used in reports. \ingroup stereo */
 ACMAP_EXPORT const char*
 nameOf(DisparityOutcome outcome);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/core/trinocular_frame.h>
 
@@ -27,6 +28,18 @@ struct BoardImage {
   double reprojection = 0.0; ///< px, RMS over its corners, from the fit of its camera
 };
 
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const BoardImage& image, Visitor&& visit)
+{
+  visit({"name"}, image.name);
+  visit({"camera"}, acmap::Named{image.camera, acmap::rig_camera_names});
+  visit({"shot"}, image.shot);
+  visit({"left_out"}, image.reason);
+  visit({"reprojection", "px"}, image.reprojection);
+}
+
 /** \brief Report of \ref RigCalibrator. \ingroup stereo */
 struct RigCalibratorReport : Report {
   std::vector<BoardImage> images; ///< by shot, then by camera
@@ -44,5 +57,19 @@ struct RigCalibratorReport : Report {
    * corners. */
   double coverage = 0;
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const RigCalibratorReport& report, Visitor&& visit)
+{
+  visit({"images"}, report.images);
+  visit({"boards"}, acmap::Named{report.boards, acmap::rig_camera_names});
+  visit({"reprojection", "px"},
+        acmap::Named{report.reprojection, acmap::rig_camera_names});
+  visit({"row_residual", "px"}, report.row_residual);
+  visit({"column_residual", "px"}, report.column_residual);
+  visit({"coverage"}, report.coverage);
+}
 
 } // namespace pcl

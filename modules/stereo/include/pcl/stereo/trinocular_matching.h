@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/core/trinocular_frame.h>
@@ -22,6 +23,16 @@ struct TrinocularMatchingReport : Report {
 
   std::size_t by_both_pairs = 0; ///< matched pixels on which both pairs agree
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const TrinocularMatchingReport& report, Visitor&& visit)
+{
+  visit({"shots"}, report.shots);
+  visit({"outcomes"}, acmap::Named{report.outcomes, acmap::disparity_outcome_names});
+  visit({"by_both_pairs"}, report.by_both_pairs);
+}
 
 /** \brief Computes the disparities of the pixels of the reference view with respect to
  * its neighbours, from one shot or from several shots of one position under different

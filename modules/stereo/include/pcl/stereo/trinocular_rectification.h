@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/core/rig_calibration.h>
 
@@ -24,6 +25,16 @@ struct TrinocularRectificationReport : Report {
    * doc/stereo/trinocular_rectification.md. */
   double column_residual = 0;
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const TrinocularRectificationReport& report, Visitor&& visit)
+{
+  visit({"turns", "deg"}, acmap::Named{report.turns, acmap::rig_camera_names});
+  visit({"column_offset", "m"}, report.column_offset);
+  visit({"column_residual", "px"}, report.column_residual);
+}
 
 /** \brief Rectifies the frames of a physical rig: the distortion is removed, the rows
  * of the horizontal pair and the columns of the vertical pair are aligned, and all

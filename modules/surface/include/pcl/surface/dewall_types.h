@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 
 #include <cstddef>
@@ -41,27 +42,27 @@ struct DeWallReport : Report {
   double largest_maximum_edge = 0; ///< metres, maximum of the size constraint
 };
 
-/** \brief Calls visit (name, value) for each field, under its name in files. */
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
 template <typename Visitor>
 void
 visitFields(const DeWallReport& report, Visitor&& visit)
 {
-  visit("points", report.points);
-  visit("invalid_points", report.invalid_points);
-  visit("duplicate_points", report.duplicate_points);
-  visit("used_points", report.used_points);
-  visit("clusters", report.clusters);
-  visit("walls", report.walls);
-  visit("triangles", report.triangles);
-  visit("edges", report.edges);
-  visit("boundary_edges", report.boundary_edges);
-  visit("crowded_edges", report.crowded_edges);
-  visit("components", report.components);
-  visit("refused_moebius", report.refused_moebius);
-  visit("removed_fans", report.removed_fans);
-  visit("median_spacing", report.median_spacing);
-  visit("least_maximum_edge", report.min_maximum_edge);
-  visit("largest_maximum_edge", report.largest_maximum_edge);
+  visit({"points"}, report.points);
+  visit({"invalid_points"}, report.invalid_points);
+  visit({"duplicate_points"}, report.duplicate_points);
+  visit({"used_points"}, report.used_points);
+  visit({"clusters"}, report.clusters);
+  visit({"walls"}, report.walls);
+  visit({"triangles"}, report.triangles);
+  visit({"edges"}, report.edges);
+  visit({"boundary_edges"}, report.boundary_edges);
+  visit({"crowded_edges"}, report.crowded_edges);
+  visit({"components"}, report.components);
+  visit({"refused_moebius"}, report.refused_moebius);
+  visit({"removed_fans"}, report.removed_fans);
+  visit({"median_spacing", "m"}, report.median_spacing);
+  visit({"least_maximum_edge", "m"}, report.min_maximum_edge);
+  visit({"largest_maximum_edge", "m"}, report.largest_maximum_edge);
 }
 
 namespace acmap {

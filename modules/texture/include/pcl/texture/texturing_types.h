@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/cloud_rows.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 
 #include <Eigen/Geometry>
@@ -32,24 +33,24 @@ struct TexturingReport : Report {
   std::vector<double> gains; ///< factor applied to the colours of each observation
 };
 
-/** \brief Calls visit (name, value) for each field, under its name in files. */
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
 template <typename Visitor>
 void
 visitFields(const TexturingReport& report, Visitor&& visit)
 {
-  visit("observations", report.observations);
-  visit("pinholes", report.pinholes);
-  visit("splatted", report.splatted);
-  visit("colorless", report.colorless);
-  visit("invalid_points", report.invalid_points);
-  visit("colored_points", report.colored_points);
-  visit("far_points", report.far_points);
-  visit("charts", report.charts);
-  visit("texels", report.texels);
-  visit("seen", report.seen);
-  visit("filled", report.filled);
-  visit("texel_size", report.texel_size);
-  visit("gains", report.gains);
+  visit({"observations"}, report.observations);
+  visit({"pinholes"}, report.pinholes);
+  visit({"splatted"}, report.splatted);
+  visit({"colorless"}, report.colorless);
+  visit({"invalid_points"}, report.invalid_points);
+  visit({"colored_points"}, report.colored_points);
+  visit({"far_points"}, report.far_points);
+  visit({"charts"}, report.charts);
+  visit({"texels"}, report.texels);
+  visit({"seen"}, report.seen);
+  visit({"filled"}, report.filled);
+  visit({"texel_size", "m"}, report.texel_size);
+  visit({"gains"}, report.gains);
 }
 
 /** \brief An observation that PlaneTexturing paints with, of any fields, as files have them.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/core/streamed_grabber.h>
 #include <pcl/video/video_source.h>
@@ -24,6 +25,19 @@ struct CameraState {
   bool is_exposure_fixed = false;
 };
 
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const CameraState& camera, Visitor&& visit)
+{
+  visit({"device"}, camera.device);
+  visit({"is_recording"}, camera.is_recording);
+  visit({"rate", "1/s"}, camera.frames_per_second);
+  visit({"is_exposure_fixed"}, camera.is_exposure_fixed);
+  visit({"exposure", "s"}, camera.exposure);
+  visit({"gain"}, camera.gain);
+}
+
 /** \brief Statistics of a \ref CameraGrabber over all its streams. A remark tells which
  * settings a camera refused, and which shots had to be repeated.
  * \ingroup video */
@@ -44,6 +58,20 @@ struct CameraGrabberReport : Report {
   /** \brief In the order of the devices. */
   std::vector<CameraState> cameras;
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const CameraGrabberReport& report, Visitor&& visit)
+{
+  visit({"frames"}, report.frames);
+  visit({"cameras"}, report.cameras);
+  visit({"discarded_images"}, report.discarded);
+  visit({"broken"}, report.broken);
+  visit({"moved"}, report.moved);
+  visit({"largest_change"}, report.largest_change);
+  visit({"frames_per_second", "1/s"}, report.frames_per_second);
+}
 
 /** \brief Grabs frames of two or three separate cameras, for example webcams on a bar.
  * Section II-A of "Active Stereo Based Compact Mapping".

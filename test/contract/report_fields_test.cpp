@@ -1,0 +1,231 @@
+#include <pcl/acquisition/digiclops_grabber.h>
+#include <pcl/acquisition/pattern_sequence_grabber.h>
+#include <pcl/acquisition/random_line_pattern.h>
+#include <pcl/acquisition/trinocular_file_grabber.h>
+#include <pcl/core/trajectory_error.h>
+#include <pcl/egomotion/correspondence_estimation_log_polar.h>
+#include <pcl/egomotion/correspondence_rejector_worst_out.h>
+#include <pcl/egomotion/gradient_maximum_keypoint.h>
+#include <pcl/mapping/map_entropy_types.h>
+#include <pcl/pipeline/compact_mapping.h>
+#include <pcl/stereo/active_stereo_grabber.h>
+#include <pcl/stereo/rig_calibrator_types.h>
+#include <pcl/stereo/trinocular_rectification.h>
+#include <pcl/video/camera_grabber.h>
+
+#include <gtest/gtest.h>
+
+#include <cxxabi.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <tuple>
+#include <typeinfo>
+#include <utility>
+
+namespace pcl::acmap::test {
+
+/** Initializes any member of an aggregate. */
+struct Anything {
+  template <typename Member>
+  operator Member() const;
+};
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/** All structs that name their fields: reports, and what they are made of. */
+using Structs = std::tuple<AbsoluteTrajectoryError,
+                           ActiveStereoGrabberReport,
+                           AdjustmentRound,
+                           BoardImage,
+                           BoxFittingReport,
+                           CameraGrabberReport,
+                           CameraState,
+                           ChannelOrderCheck,
+                           CompactMappingReport,
+                           ConsolidationReport,
+                           CylinderClusteringReport,
+                           DeWallReport,
+                           DepthPlaneReport,
+                           DepthRefinementReport,
+                           DigiclopsGrabberReport,
+                           DisparityBackProjectionReport,
+                           DisparityFusionReport,
+                           EgomotionEstimate,
+                           EgomotionReport,
+                           EntropyRectificationReport,
+                           FreeMotion,
+                           GradientMaximumReport,
+                           MapEntropyReport,
+                           MapEvidence,
+                           MapLevellingReport,
+                           MergingReport,
+                           NoiseScale,
+                           NoiseScale::InverseDepth,
+                           NoiseScale::Range,
+                           OdometryPair,
+                           PatternSequenceGrabberReport,
+                           PlanarAction,
+                           PlaneAdjustmentReport,
+                           PlaneClusteringReport,
+                           PlaneMappingReport,
+                           PoseUncertainty,
+                           RandomLinePatternReport,
+                           RayContradictions,
+                           RecessFittingReport,
+                           RectificationStep,
+                           RelativePoseError,
+                           RevisitReport,
+                           RigCalibratorReport,
+                           SequenceAlignmentReport,
+                           SequenceConsolidationReport,
+                           TexturingReport,
+                           TrinocularFileReport,
+                           TrinocularMatchingReport,
+                           TrinocularRectificationReport,
+                           TrinocularShot,
+                           VisualOdometryResult,
+                           VotingReport,
+                           registration::LogPolarReport,
+                           registration::WorstOutReport>;
+
+template <typename Struct, typename Members, typename = void>
+constexpr bool can_have = false;
+
+template <typename Struct, std::size_t... member>
+constexpr bool can_have<Struct,
+                        std::index_sequence<member...>,
+                        std::void_t<decltype(Struct{((void)member, Anything())...})>> =
+    true;
+
+/** Number of members of an aggregate, and of its base. */
+template <typename Struct, std::size_t most = 32>
+constexpr std::size_t
+countMembers()
+{
+  static_assert(std::is_aggregate_v<Struct>);
+  if constexpr (can_have<Struct, std::make_index_sequence<most>>)
+    return most;
+  else
+    return countMembers<Struct, most - 1>();
+}
+
+template <typename Struct>
+std::string
+nameOfType()
+{
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> name(
+      abi::__cxa_demangle(typeid(Struct).name(), nullptr, nullptr, &status),
+      &std::free);
+  return std::string(name.get()).substr(std::string("pcl::").size());
+}
+
+/** A field as the page has it. */
+std::string
+described(const Field& field)
+{
+  return std::string(" `") + field.name + "`" +
+         (*field.unit ? std::string(" (") + field.unit + ")" : "");
+}
+
+template <typename Function, std::size_t... i>
+void
+forEachStruct(const Function& function, std::index_sequence<i...>)
+{
+  (function(std::tuple_element_t<i, Structs>()), ...);
+}
+
+template <typename Function>
+void
+forEachStruct(const Function& function)
+{
+  forEachStruct(function, std::make_index_sequence<std::tuple_size_v<Structs>>());
+}
+
+std::string
+contentOfFile(const fs::path& path)
+{
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+/** The names in all public headers that a pattern captures. */
+std::set<std::string>
+namesInHeaders(const std::string& pattern)
+{
+  const std::regex regex(pattern);
+  std::set<std::string> names;
+  for (const auto& entry :
+       fs::recursive_directory_iterator(fs::path(ACMAP_SOURCE_DIR) / "modules")) {
+    if (entry.path().extension() != ".h" ||
+        entry.path().string().find("/include/") == std::string::npos)
+      continue;
+    const std::string text = contentOfFile(entry.path());
+    for (std::sregex_iterator found(text.begin(), text.end(), regex), end; found != end;
+         ++found)
+      names.insert((*found)[1]);
+  }
+  return names;
+}
+
+TEST(ReportFields, EachMemberIsNamedOnce)
+{
+  forEachStruct([](const auto& fields) {
+    using Struct = std::decay_t<decltype(fields)>;
+    const std::size_t base = std::is_base_of_v<Report, Struct> ? 1 : 0;
+    std::set<std::string> names;
+    std::size_t visited = 0;
+    visitFields(fields, [&](const Field& field, const auto&) {
+      names.insert(field.name);
+      ++visited;
+    });
+    EXPECT_EQ(visited, countMembers<Struct>() - base) << nameOfType<Struct>();
+    EXPECT_EQ(names.size(), visited) << nameOfType<Struct>();
+  });
+}
+
+/** A new report cannot be forgotten here. */
+TEST(ReportFields, AllReportsAreChecked)
+{
+  std::set<std::string> checked;
+  forEachStruct([&](const auto& fields) {
+    const std::string name = nameOfType<std::decay_t<decltype(fields)>>();
+    checked.insert(name.substr(name.find("registration::") == 0 ? 14 : 0));
+  });
+  std::set<std::string> named = namesInHeaders("visitFields\\(const ([A-Za-z:]+)&");
+  EXPECT_EQ(named, checked);
+  for (const std::string& report : namesInHeaders("struct ([A-Za-z]+) : Report "))
+    EXPECT_EQ(checked.count(report), 1U) << report << " does not name its fields";
+}
+
+/** The page has all fields. If ACMAP_REFRESH_FINGERPRINTS is set, writes them. */
+TEST(ReportFields, ThePageHasThem)
+{
+  const fs::path path = fs::path(ACMAP_SOURCE_DIR) / "doc" / "report_fields.md";
+  const std::string head = "| struct | fields |\n|---|---|\n";
+  const std::string page = contentOfFile(path);
+  const std::size_t begin = page.find(head);
+  ASSERT_NE(begin, std::string::npos);
+  std::string table = head;
+  forEachStruct([&](const auto& fields) {
+    table += "| `" + nameOfType<std::decay_t<decltype(fields)>>() + "` |";
+    visitFields(fields,
+                [&](const Field& field, const auto&) { table += described(field); });
+    table += " |\n";
+  });
+  if (std::getenv("ACMAP_REFRESH_FINGERPRINTS"))
+    std::ofstream(path) << page.substr(0, begin) << table;
+  EXPECT_EQ(contentOfFile(path).substr(begin), table);
+}
+
+} // namespace
+} // namespace pcl::acmap::test
