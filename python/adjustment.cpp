@@ -3,7 +3,6 @@
 #include "kernel_call.h"
 #include "poses.h"
 
-#include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/mapping/impl/plane_adjustment_kernel.h>
 
@@ -52,7 +51,7 @@ adjustClouds(const std::vector<PointArgument>& clouds,
              unsigned threads,
              const Listener& listener)
 {
-  requireNamedOdometryNoise(settings.odometry);
+  requireOdometryNoise(settings.odometry);
   const std::vector<AdjustedView> views = viewsOf(clouds, sigmas);
   const Poses given = posesOf("poses", poses);
   if (given.size() != views.size())

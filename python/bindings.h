@@ -1,8 +1,16 @@
 #pragma once
 
+#include <pcl/exceptions.h>
+
 #include <pybind11/pybind11.h>
 
+#include <string>
+
 namespace pcl::acmap::python {
+
+/** \brief What an exception says, without the source location that PCL prepends. */
+std::string
+messageOf(const PCLException& error);
 
 /** \brief Translates the exceptions of acmap and PCL to Python exceptions. */
 void

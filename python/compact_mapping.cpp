@@ -5,8 +5,8 @@
 #include "named_choice.h"
 #include "observation_argument.h"
 #include "poses.h"
+#include "setter_keyword.h"
 
-#include <pcl/core/impl/arguments.h>
 #include <pcl/pipeline/compact_mapping.h>
 
 #include <pybind11/stl.h>
@@ -52,11 +52,8 @@ struct MappingInput {
 };
 
 void
-requireLegal(const MappingSettings& settings)
+requireSense(const MappingSettings& settings)
 {
-  requireInRange("voxel_size", settings.voxel_size, 0, 1e9, "m (0 = automatic)");
-  requireInRange("min_area", settings.min_area, 0, 1e12, "m^2 (0 = automatic)");
-  requireInRange("texel_size", settings.texel_size, 1e-4, 10, "m");
   const auto refuse = [&](bool is_given, const std::string& argument) {
     if (settings.paper && is_given)
       throw py::value_error(argument + " departs from the paper: leave it out with "
@@ -64,8 +61,8 @@ requireLegal(const MappingSettings& settings)
   };
   refuse(settings.adjust, "adjust");
   refuse(settings.sensor != DepthSensor::Automatic, "sensor");
-  refuse(settings.voxel_size > 0, "voxel_size");
-  refuse(settings.min_area > 0, "min_area");
+  refuse(settings.voxel_size != 0, "voxel_size");
+  refuse(settings.min_area != 0, "min_area");
   refuse(settings.regular, "regular");
   refuse(settings.primitives.value_or(false), "primitives");
 }
@@ -86,16 +83,20 @@ PlaneMapping
 planeMappingOf(PlaneMapping planes, const MappingSettings& settings)
 {
   PlaneMapping::Clustering clustering = planes.getClustering();
-  clustering.setMinArea(settings.min_area);
+  setKeyword(
+      "min_area", clustering, &PlaneMapping::Clustering::setMinArea, settings.min_area);
   clustering.setRegularize(settings.regular);
   planes.setClustering(clustering);
   PlaneMapping::DepthSegmentation segmentation = planes.getDepthSegmentation();
   segmentation.setMinArea(settings.min_area);
   segmentation.setRegularize(settings.regular);
   planes.setDepthSegmentation(segmentation);
-  if (settings.voxel_size > 0) {
+  if (settings.voxel_size != 0) {
     PlaneMapping::Consolidation consolidation = planes.getConsolidation();
-    consolidation.setVoxelSize(settings.voxel_size);
+    setKeyword("voxel_size",
+               consolidation,
+               &PlaneMapping::Consolidation::setVoxelSize,
+               settings.voxel_size);
     planes.setConsolidation(consolidation);
     planes.setConsolidationPolicy(ConsolidationPolicy::Always);
   }
@@ -108,17 +109,20 @@ planeMappingOf(PlaneMapping planes, const MappingSettings& settings)
   return planes;
 }
 
+/** \throws py::value_error for a value that a setter refuses */
 void
-prepare(CompactMapping& mapping, const MappingInput& input)
+configure(CompactMapping& mapping, const MappingSettings& settings)
 {
-  const MappingSettings& settings = input.settings;
   if (settings.paper)
     mapping.setMode(MappingMode::Paper);
   ObservationMerging merging = mapping.getMerging();
   if (settings.sensor != DepthSensor::Automatic)
     merging.setDepthSensor(settings.sensor);
   CompactMapping::Texturing texturing = mapping.getTexturing();
-  texturing.setTexelSize(settings.texel_size);
+  setKeyword("texel_size",
+             texturing,
+             &CompactMapping::Texturing::setTexelSize,
+             settings.texel_size);
   mapping.setRectify(settings.rectify);
   mapping.setAdjust(settings.adjust);
   mapping.setMerging(merging);
@@ -127,15 +131,15 @@ prepare(CompactMapping& mapping, const MappingInput& input)
   if (!settings.folder.empty())
     mapping.setFolder(settings.folder);
   mapping.setNumberOfThreads(settings.threads);
-  for (const GivenObservation& given : input.observations)
-    mapping.addObservation(given.cloud, given.T_map_camera);
 }
 
 ReportedMap
 computeMap(const MappingInput& input, const Listener& listener)
 {
   CompactMapping mapping;
-  prepare(mapping, input);
+  configure(mapping, input.settings);
+  for (const GivenObservation& given : input.observations)
+    mapping.addObservation(given.cloud, given.T_map_camera);
   CompactMap map;
   callStage(listener, [&](const ProgressCallback& progress) {
     mapping.setProgressCallback(progress);
@@ -217,7 +221,9 @@ bindCompactMapping(py::module_& module)
                                                texel_size,
                                                folder,
                                                threads};
-             requireLegal(settings);
+             requireSense(settings);
+             CompactMapping checked;
+             configure(checked, settings);
              return MappingInput{settings, {}};
            }),
            py::kw_only(),

@@ -2,9 +2,9 @@
 #include "kernel_call.h"
 #include "reports.h"
 #include "sensors.h"
+#include "setter_keyword.h"
 
-#include <pcl/core/impl/arguments.h>
-#include <pcl/filters/impl/consolidation_kernel.h>
+#include <pcl/filters/voxel_consolidation.h>
 
 namespace pcl::acmap::python {
 
@@ -45,7 +45,6 @@ consolidate(const PointArgument& points,
             const SensorArguments& sensors,
             const Listener& listener)
 {
-  requireInRange("voxel_size", settings.voxel_size, 0, 1e9, "m (0 = automatic)");
   const PointView view = pointRowsOf("points", points).view;
   const SensorView seen_by = sensorViewOf(sensors, view.size());
   ConsolidationReport report;
@@ -106,8 +105,15 @@ bindConsolidation(py::module_& module)
          bool keep_sources,
          unsigned threads,
          const Listener& progress) {
+        VoxelConsolidation<PCLPointCloud2> consolidation;
+        setKeyword("voxel_size",
+                   consolidation,
+                   &ConsolidationParameters::setVoxelSize,
+                   voxel_size);
+        consolidation.setKeepSources(keep_sources);
+        consolidation.setNumberOfThreads(threads);
         return consolidate(points,
-                           {voxel_size, keep_sources, threads},
+                           consolidation.settings(),
                            {sensor_origin, std::move(viewpoints), std::move(view)},
                            progress);
       },

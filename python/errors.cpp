@@ -6,14 +6,10 @@ namespace pcl::acmap::python {
 
 namespace {
 
-/** Removes the source location that PCL prepends to its messages. */
 void
 raise(PyObject* type, const PCLException& error)
 {
-  const std::string text = error.what();
-  const std::size_t colon = text.find(": ");
-  PyErr_SetString(type,
-                  text.substr(colon == std::string::npos ? 0 : colon + 2).c_str());
+  PyErr_SetString(type, messageOf(error).c_str());
 }
 
 void
@@ -44,6 +40,14 @@ translate(std::exception_ptr error)
 }
 
 } // namespace
+
+std::string
+messageOf(const PCLException& error)
+{
+  const std::string text = error.what();
+  const std::size_t colon = text.find(": ");
+  return text.substr(colon == std::string::npos ? 0 : colon + 2);
+}
 
 void
 bindErrors()

@@ -4,9 +4,9 @@
 #include "named_choice.h"
 #include "reports.h"
 #include "sensors.h"
+#include "setter_keyword.h"
 
-#include <pcl/core/impl/arguments.h>
-#include <pcl/surface/impl/dewall_kernel.h>
+#include <pcl/surface/dewall_triangulation.h>
 
 namespace pcl::acmap::python {
 
@@ -21,21 +21,21 @@ constexpr NamedChoices<DeWallRule, 3> dewall_rules = {{{"paper", DeWallRule::Pap
 Mesh
 triangulate(const PointArgument& points,
             const std::optional<PointArgument>& normals,
-            DeWallSettings settings,
+            DeWallInput input,
+            const DeWallSettings& settings,
             const Listener& listener)
 {
-  requireInRange(
-      "maximum_edge_length", settings.maximum_edge_length, 0, 1e9, "m (0 = automatic)");
   const PointRows rows = pointRowsOf("points", points);
+  input.points = rows.view;
   if (normals) {
-    settings.normals = pointRowsOf("normals", *normals).view;
-    requireAsMany("normals", settings.normals.size(), rows.view.size());
+    input.normals = pointRowsOf("normals", *normals).view;
+    requireAsMany("normals", input.normals.size(), rows.view.size());
   }
   DeWallReport report;
   TriangleMesh mesh = callKernel(listener, [&](const Progress& progress) {
-    settings.is_single_view =
-        rows.width > 0 && isSingleView(rows.view, rows.width, settings.sensor_origin);
-    return triangulateDeWall(rows.view, settings, progress, report);
+    input.is_single_view =
+        rows.width > 0 && isSingleView(rows.view, rows.width, input.sensor_origin);
+    return triangulateDeWall(input, settings, progress, report);
   });
   return pythonMesh(std::move(mesh), reportOf(report));
 }
@@ -93,17 +93,20 @@ bindMesh(py::module_& module)
          unsigned threads,
          const Listener& progress) {
         requireOrigin(sensor_origin);
-        DeWallSettings settings;
-        settings.rule = chosen("rule", rule, dewall_rules);
-        settings.maximum_edge_length = maximum_edge_length;
-        settings.compute_wall_depth = compute_wall_depth;
-        settings.threads = threads;
-        settings.memory_limit = memory_limit;
-        settings.sensor_origin << sensor_origin[0], sensor_origin[1], sensor_origin[2];
+        DeWallTriangulation<PCLPointCloud2> dewall;
+        dewall.setAcceptanceRule(chosen("rule", rule, dewall_rules));
+        setKeyword("maximum_edge_length",
+                   dewall,
+                   &DeWallParameters::setMaximumEdgeLength,
+                   maximum_edge_length);
+        dewall.setComputeWallDepth(compute_wall_depth);
+        dewall.setMemoryLimit(memory_limit);
         if (up)
-          settings.up =
-              requiredDirection(Eigen::Vector3d((*up)[0], (*up)[1], (*up)[2]));
-        return triangulate(points, normals, settings, progress);
+          dewall.setUpDirection({(*up)[0], (*up)[1], (*up)[2]});
+        DeWallInput input;
+        input.sensor_origin << sensor_origin[0], sensor_origin[1], sensor_origin[2];
+        input.threads = threads;
+        return triangulate(points, normals, input, dewall.settings(), progress);
       },
       about_mesh,
       "points"_a,
@@ -115,7 +118,7 @@ bindMesh(py::module_& module)
       "up"_a = py::none(),
       "compute_wall_depth"_a = defaults.compute_wall_depth,
       "memory_limit"_a = defaults.memory_limit,
-      "threads"_a = defaults.threads,
+      "threads"_a = 0u,
       "progress"_a = py::none());
 }
 

@@ -4,27 +4,15 @@
 #include "normals_argument.h"
 #include "reports.h"
 #include "sensors.h"
+#include "setter_keyword.h"
 
-#include <pcl/core/impl/arguments.h>
+#include <pcl/features/normal_vector_voting.h>
 
 namespace pcl::acmap::python {
 
 namespace {
 
 using namespace py::literals;
-
-/** Weights as given, or the defaults of the mode. */
-void
-setWeights(std::optional<double> crease,
-           std::optional<double> corner,
-           VotingSettings& settings)
-{
-  const VotingSettings ours;
-  settings.crease_weight =
-      crease.value_or(settings.paper ? page_weight : ours.crease_weight);
-  settings.corner_weight =
-      corner.value_or(settings.paper ? page_weight : ours.corner_weight);
-}
 
 Normals
 voteOnMesh(const PointArgument& points,
@@ -33,9 +21,6 @@ voteOnMesh(const PointArgument& points,
            const SensorArguments& sensors,
            const Listener& listener)
 {
-  requireInRange("radius", settings.radius, 0, 1e9, "m (0 = automatic)");
-  requireInRange("crease_weight", settings.crease_weight, 1e-6, 1e6, "");
-  requireInRange("corner_weight", settings.corner_weight, 1e-6, 1e6, "");
   const PointView view = pointRowsOf("points", points).view;
   const std::shared_ptr<const TriangleMesh> mesh = meshOf(triangles, view.size());
   const SensorView seen_by = sensorViewOf(sensors, view.size());
@@ -112,12 +97,16 @@ bindNormals(py::module_& module)
          bool compute_curvatures,
          unsigned threads,
          const Listener& progress) {
-        VotingSettings settings;
-        settings.radius = radius;
-        settings.paper = paper;
-        setWeights(crease_weight, corner_weight, settings);
+        NormalVectorVoting<PCLPointCloud2> voting;
+        setKeyword("radius", voting, &VotingParameters::setRadiusSearch, radius);
+        setKeyword(
+            "crease_weight", voting, &VotingParameters::setCreaseWeight, crease_weight);
+        setKeyword(
+            "corner_weight", voting, &VotingParameters::setCornerWeight, corner_weight);
+        voting.setPaperMode(paper);
+        voting.setNumberOfThreads(threads);
+        VotingSettings settings = voting.settings();
         settings.compute_curvatures = compute_curvatures;
-        settings.threads = threads;
         return voteOnMesh(points,
                           triangles,
                           settings,

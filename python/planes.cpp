@@ -4,10 +4,9 @@
 #include "normals_argument.h"
 #include "reports.h"
 #include "sensors.h"
+#include "setter_keyword.h"
 
-#include <pcl/core/impl/arguments.h>
-
-#include <cmath>
+#include <pcl/segmentation/plane_hypothesis_clustering.h>
 
 namespace pcl::acmap::python {
 
@@ -29,14 +28,6 @@ struct SourceArguments {
   SensorArguments sensors;
 };
 
-void
-requireLegal(const PlaneClusteringSettings& settings)
-{
-  requireInRange("member_distance", settings.member_distance, 1e-9, 1e9, "m");
-  requireInRange("normal_angle", settings.normal_angle, 1e-6, M_PI / 2, "rad");
-  requireInRange("least_area", settings.min_area, 0, 1e12, "m^2 (0 = automatic)");
-}
-
 Planes
 findPlanes(const PointArgument& points,
            const NormalsArgument& normals,
@@ -45,7 +36,6 @@ findPlanes(const PointArgument& points,
            const PlaneClusteringSettings& settings,
            const Listener& listener)
 {
-  requireLegal(settings);
   PlaneHypotheses hypotheses;
   hypotheses.points = pointRowsOf("points", points).view;
   setNormals(normals, hypotheses);
@@ -113,15 +103,6 @@ bindPlanesClass(py::module_& module)
                     "pcl::PlaneClusteringReport");
 }
 
-/** W_t as given, or 0 for the default of the mode. */
-double
-planeDistance(std::optional<double> given)
-{
-  if (given)
-    requireInRange("plane_distance", *given, 1e-9, 1e9, "m");
-  return given.value_or(0);
-}
-
 } // namespace
 
 void
@@ -147,19 +128,31 @@ bindPlanes(py::module_& module)
          bool regular,
          unsigned threads,
          const Listener& progress) {
+        using Clustering = PlaneClusteringParameters;
+        PlaneHypothesisClustering<PCLPointCloud2> clustering;
+        clustering.setNoiseDriven(noise_driven);
+        setKeyword("member_distance",
+                   clustering,
+                   &Clustering::setClusterTolerance,
+                   member_distance);
+        setKeyword("normal_angle",
+                   clustering,
+                   &Clustering::setSmoothnessThreshold,
+                   normal_angle);
+        setKeyword("plane_distance",
+                   clustering,
+                   &Clustering::setDistanceThreshold,
+                   plane_distance);
+        clustering.setMinClusterSize(min_support);
+        setKeyword("least_area", clustering, &Clustering::setMinArea, min_area);
+        clustering.setRegularize(regular);
+        clustering.setNumberOfThreads(threads);
         return findPlanes(points,
                           normals,
                           triangles,
                           {std::move(source),
                            {sensor_origin, std::move(viewpoints), std::move(view)}},
-                          {noise_driven,
-                           member_distance,
-                           normal_angle,
-                           planeDistance(plane_distance),
-                           min_support,
-                           min_area,
-                           regular,
-                           threads},
+                          clustering.settings(),
                           progress);
       },
       about_planes,

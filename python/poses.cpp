@@ -1,6 +1,5 @@
 #include "poses.h"
 
-#include <pcl/core/impl/arguments.h>
 #include <pcl/core/trajectory.h>
 
 #include <cstring>
@@ -75,15 +74,6 @@ arrayOfPoses(const Poses& poses, const py::handle& owner)
       {16 * size, size, 4 * size}, // column-major
       poses.empty() ? nullptr : poses.front().data(),
       owner);
-}
-
-void
-requireNamedOdometryNoise(const OdometryNoise& noise)
-{
-  requireInRange("odometry_length", noise.length, 1e-6, 1e3, "m");
-  requireInRange("odometry_length_per_metre", noise.length_per_metre, 0, 10, "m/m");
-  requireInRange("odometry_turn", noise.turn, 1e-6, 10, "rad");
-  requireInRange("odometry_turn_per_radian", noise.turn_per_radian, 0, 10, "rad/rad");
 }
 
 } // namespace pcl::acmap::python

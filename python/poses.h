@@ -28,9 +28,4 @@ posesOf(const std::string& name, const py::handle& argument);
 py::array
 arrayOfPoses(const Poses& poses, const py::handle& owner);
 
-/** \brief Checks the noise between consecutive poses.
- * \throws BadArgumentException naming the argument that is out of its range */
-void
-requireNamedOdometryNoise(const OdometryNoise& noise);
-
 } // namespace pcl::acmap::python

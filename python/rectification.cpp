@@ -3,11 +3,12 @@
 #include "named_choice.h"
 #include "poses.h"
 #include "reports.h"
+#include "setter_keyword.h"
 
-#include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/parallel.h>
+#include <pcl/mapping/entropy_rectification.h>
 #include <pcl/mapping/impl/map_entropy_kernel.h>
-#include <pcl/mapping/impl/rectification_kernel.h>
+#include <pcl/point_types.h>
 
 #include <pybind11/stl.h>
 
@@ -85,14 +86,6 @@ observationsOf(const ObservationArguments& arguments)
   return observations;
 }
 
-void
-requireLegal(const RectificationSettings& settings)
-{
-  requireInRange("bin_size", settings.bin_size, 0.001, 25, "m");
-  requireInRange("entropy_weight", settings.entropy_weight, 1e-3, 1e3, "(no unit)");
-  requireNamedOdometryNoise(settings.odometry);
-}
-
 /** The rectified poses of the sensors, or the given ones unless it succeeded. */
 Poses
 search(const std::vector<Observation>& observations,
@@ -131,7 +124,6 @@ rectifyClouds(const ObservationArguments& arguments,
               unsigned threads,
               const Listener& listener)
 {
-  requireLegal(settings);
   const std::vector<Observation> observations = observationsOf(arguments);
   const Poses given = posesOf("poses", poses);
   requireOneEach("poses", given.size(), observations.size());
@@ -169,25 +161,6 @@ seed              of the voting
 threads           0: all; the result is the same bytes for every number
 progress          called with (fraction, step); stops the run when it returns False)";
 
-std::optional<double>
-legalWeight(std::optional<double> mu)
-{
-  if (mu)
-    requireInRange("projection_weight", *mu, 0, 1000, "(no unit)");
-  return mu;
-}
-
-std::optional<double>
-legalSmoothing(std::optional<double> sigma, const RectificationSettings& settings)
-{
-  if (!sigma)
-    return sigma;
-  if (settings.mode != RectificationMode::Paper)
-    throw py::value_error("smoothing: is for mode 'paper'");
-  requireInRange("smoothing", *sigma, 0, 100 * settings.bin_size, "m (100 bins)");
-  return sigma;
-}
-
 } // namespace
 
 void
@@ -221,23 +194,30 @@ bindRectification(py::module_& module)
          std::uint64_t seed,
          unsigned threads,
          const Listener& progress) {
-        RectificationSettings settings;
-        settings.mode = chosen("mode", mode, modes);
-        settings.bin_size = bin_size;
-        settings.entropy_weight = entropy_weight;
-        settings.projection_weight =
-            legalWeight(projection_weight).value_or(settings.projection_weight);
-        settings.smoothing =
-            legalSmoothing(smoothing, settings).value_or(settings.smoothing);
-        settings.odometry = {odometry_length,
-                             odometry_length_per_metre,
-                             odometry_turn,
-                             odometry_turn_per_radian};
-        settings.seed = seed;
+        using Rectification = EntropyRectification<pcl::PointNormal>;
+        Rectification rectification;
+        rectification.setMode(chosen("mode", mode, modes));
+        setKeyword("bin_size", rectification, &Rectification::setBinSize, bin_size);
+        setKeyword("entropy_weight",
+                   rectification,
+                   &Rectification::setEntropyWeight,
+                   entropy_weight);
+        setKeyword("projection_weight",
+                   rectification,
+                   &Rectification::setProjectionWeight,
+                   projection_weight);
+        setKeyword("smoothing", rectification, &Rectification::setSmoothing, smoothing);
+        if (smoothing && rectification.getMode() != RectificationMode::Paper)
+          throw py::value_error("smoothing: is for mode 'paper'");
+        rectification.setOdometryNoise({odometry_length,
+                                        odometry_length_per_metre,
+                                        odometry_turn,
+                                        odometry_turn_per_radian});
+        rectification.setSeed(seed);
         return rectifyClouds(
             {std::move(clouds), std::move(normals), std::move(weights)},
             poses,
-            settings,
+            rectification.settings(),
             threads,
             progress);
       },

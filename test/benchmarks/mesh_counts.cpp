@@ -96,13 +96,11 @@ const Section counted_section(
                   bytes.data(),
                   points.size() * sizeof(Eigen::Vector3f));
       settings.rule = rule == "paper" ? DeWallRule::Paper : DeWallRule::Dense;
-      settings.threads = 1;
+      DeWallInput input;
+      input.points = PointView(points.data(), sizeof(Eigen::Vector3f), points.size());
+      input.threads = 1;
       DeWallReport report;
-      triangulateDeWall(
-          PointView(points.data(), sizeof(Eigen::Vector3f), points.size()),
-          settings,
-          Progress(),
-          report);
+      triangulateDeWall(input, settings, Progress(), report);
     },
     SectionUse::WhenNamed);
 

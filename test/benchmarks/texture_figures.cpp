@@ -223,7 +223,6 @@ findPlanes()
   addVotes(voted.votes, hypotheses);
   PlaneClusteringSettings settings;
   settings.noise_driven = true;
-  settings.plane_distance = 0;
   settings.threads = 1;
   PlaneClusteringReport report;
   return clusterPlanes(hypotheses,

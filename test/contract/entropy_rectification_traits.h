@@ -38,7 +38,7 @@ struct EntropyRectificationTraits
   {
     std::ostringstream words;
     words << "bin " << object.getBinSize() << ", weight " << object.getEntropyWeight()
-          << ", mu " << object.getProjectionWeight() << ", "
+          << ", mu " << object.getProjectionWeight().value_or(-1) << ", "
           << textOf(object.getOdometryNoise()) << ", mode "
           << static_cast<int>(object.getMode()) << ", seed " << object.getSeed()
           << ", threads " << object.getNumberOfThreads();

@@ -98,9 +98,10 @@ struct PlaneHypothesisClusteringTraits
     std::ostringstream words;
     words << "noise " << object.getNoiseDriven() << ", thresholds "
           << object.getClusterTolerance() << ' ' << object.getSmoothnessThreshold()
-          << ' ' << object.getDistanceThreshold() << ' ' << object.getMinClusterSize()
-          << ", area " << object.getMinArea() << ", regular " << object.getRegularize()
-          << ", threads " << object.getNumberOfThreads();
+          << ' ' << object.getDistanceThreshold().value_or(0) << ' '
+          << object.getMinClusterSize() << ", area " << object.getMinArea()
+          << ", regular " << object.getRegularize() << ", threads "
+          << object.getNumberOfThreads();
     return words.str();
   }
 };

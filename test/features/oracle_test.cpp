@@ -32,8 +32,8 @@ leadOfClass(const NaiveVote& vote, const VotingSettings& settings)
 {
   const Eigen::Vector3d& l = vote.eigenvalues;
   Eigen::Vector3d cases(l[2] - l[1],
-                        settings.crease_weight * (l[1] - l[0]),
-                        settings.crease_weight * settings.corner_weight * l[0]);
+                        settings.creaseWeight() * (l[1] - l[0]),
+                        settings.creaseWeight() * settings.cornerWeight() * l[0]);
   std::sort(cases.begin(), cases.end());
   return cases[2] - cases[1];
 }
@@ -78,8 +78,8 @@ compareWithNaive(const VotingMesh& mesh, const VotingSettings& settings)
   const VotedNormals found = voteByKernel(mesh, settings, report);
   NaiveVotingSettings naive;
   naive.radius = report.radius;
-  naive.crease_weight = settings.crease_weight;
-  naive.corner_weight = settings.corner_weight;
+  naive.crease_weight = settings.creaseWeight();
+  naive.corner_weight = settings.cornerWeight();
   if (!settings.paper) {
     naive.nearest = std::min(2 * report.sigma, report.radius / 3);
     naive.min_votes = 3;

@@ -19,6 +19,7 @@ struct DeWallTask {
   std::vector<Eigen::Vector3f> points;
   std::vector<Eigen::Vector3f> normals;
   DeWallSettings settings;
+  DeWallInput input;
   bool is_moderate = false;
 
   explicit DeWallTask(FuzzedBytes bytes)
@@ -29,9 +30,9 @@ struct DeWallTask {
     const std::uint8_t choice = bytes.byte();
     settings.rule = rules[choice & 3];
     settings.leaf_size = leaf_sizes[choice >> 2 & 3];
-    settings.is_single_view = choice & 16;
+    input.is_single_view = choice & 16;
     settings.compute_wall_depth = choice & 32;
-    settings.threads = choice >= 0xf0 ? 2 : 1;
+    input.threads = choice >= 0xf0 ? 2 : 1;
     if (choice & 128)
       settings.up = Eigen::Vector3d::UnitZ();
     const bool has_normals = choice & 64;
@@ -40,13 +41,14 @@ struct DeWallTask {
     settings.maximum_edge_length = // converted to float, as in the kernel
         std::min(0.25F * static_cast<float>(bytes.byte()) * style.scale, 1e9F);
     for (int axis = 0; axis < 3; ++axis)
-      settings.sensor_origin[axis] = style.coordinate(bytes);
+      input.sensor_origin[axis] = style.coordinate(bytes);
     points = fuzzedPoints(bytes, style, max_points);
     if (has_normals) {
       while (normals.size() < points.size())
         normals.push_back(fuzzedNormal(bytes));
-      settings.normals = viewOf(normals);
+      input.normals = viewOf(normals);
     }
+    input.points = viewOf(points);
   }
 };
 
@@ -120,8 +122,8 @@ requireTrueReport(const DeWallTask& task,
 void
 requireFacing(const DeWallTask& task, const Points& points, const TriangleMesh& mesh)
 {
-  const Eigen::Vector3d& sensor = task.settings.sensor_origin;
-  if (!isGuarded(task) || task.settings.is_single_view || task.settings.up ||
+  const Eigen::Vector3d& sensor = task.input.sensor_origin;
+  if (!isGuarded(task) || task.input.is_single_view || task.settings.up ||
       !task.normals.empty() || !task.is_moderate || !sensor.allFinite())
     return;
   Eigen::VectorXd front = Eigen::VectorXd::Zero(points.size()), whole = front;
@@ -170,12 +172,13 @@ void
 requireSameOfUsable(const DeWallTask& task, const TriangleMesh& mesh)
 {
   const std::vector<std::int32_t> usable = usablePoints(task.points);
-  const PointView view(
+  DeWallInput input = task.input;
+  input.points = PointView(
       task.points.data(), sizeof(Eigen::Vector3f), usable.size(), usable.data());
+  input.threads = 1;
   DeWallReport report;
-  DeWallSettings settings = task.settings;
-  settings.threads = 1;
-  const TriangleMesh again = triangulateDeWall(view, settings, Progress(), report);
+  const TriangleMesh again =
+      triangulateDeWall(input, task.settings, Progress(), report);
   require(again.triangles == mesh.triangles && again.wall_depth == mesh.wall_depth);
 }
 
@@ -184,7 +187,7 @@ meshFuzzed(const DeWallTask& task)
 {
   DeWallReport report;
   const TriangleMesh mesh =
-      triangulateDeWall(viewOf(task.points), task.settings, Progress(), report);
+      triangulateDeWall(task.input, task.settings, Progress(), report);
   const Points points = inDoubles(task.points);
   requireSound(task, points, mesh, report);
   requireTrueReport(task, points, mesh, report);

@@ -50,8 +50,8 @@ struct ClusteringTask {
       return std::clamp(static_cast<double>(style.scale) * steps, 1e-9, 1e9);
     };
     settings.min_support = more & 7;
-    settings.plane_distance =
-        settings.noise_driven && more & 8 ? 0 : length(1 + bytes.byte()) / 16;
+    if (!(settings.noise_driven && more & 8))
+      settings.plane_distance = length(1 + bytes.byte()) / 16;
     settings.member_distance = length(1 + (bytes.byte() & 15));
     settings.normal_angle = (1 + bytes.byte()) / 256.0 * M_PI / 2;
     settings.min_area = more & 16 ? length(1 + bytes.byte()) : 0;

@@ -113,6 +113,8 @@ class UglyInputs(unittest.TestCase):
             ("adjust", {"odometry_turn": numpy.nan}),
         ):
             (key,) = settings
+            if key.startswith("odometry"):
+                key = "odometry noise"  # one setter takes all four
             with self.subTest(name, **settings):
                 self.expect_error(
                     ValueError, f"^{key}.* is refused: ", lambda: functions[name](points, **settings)

@@ -212,7 +212,7 @@ TEST(ClusteringClass, extractGivesThePointsOfEachPlane)
 TEST(ClusteringClass, distanceThresholdIsAutomaticWhereNoiseDecides)
 {
   Clustering clustering;
-  EXPECT_EQ(clustering.getDistanceThreshold(), 0) << "automatic";
+  EXPECT_FALSE(clustering.getDistanceThreshold()) << "automatic";
   clustering.setDistanceThreshold(0.07);
   EXPECT_EQ(clustering.getDistanceThreshold(), 0.07);
   clustering.setNoiseDriven(false);

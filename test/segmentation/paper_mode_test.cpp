@@ -60,13 +60,13 @@ TEST(PaperMode, thresholdsAreThePapers)
   clustering.setNoiseDriven(false);
   EXPECT_DOUBLE_EQ(clustering.getClusterTolerance(), 0.8);
   EXPECT_DOUBLE_EQ(clustering.getSmoothnessThreshold(), M_PI / 8);
-  EXPECT_DOUBLE_EQ(clustering.getDistanceThreshold(), 0.25);
+  EXPECT_EQ(clustering.getDistanceThreshold(), 0.25);
   EXPECT_EQ(clustering.getMinClusterSize(), 50U);
   const PlaneClusteringSettings settings;
   EXPECT_TRUE(settings.noise_driven);
   EXPECT_EQ(settings.member_distance, clustering.getClusterTolerance());
   EXPECT_NEAR(settings.normal_angle, clustering.getSmoothnessThreshold(), 1e-8);
-  EXPECT_EQ(settings.plane_distance, 0) << "of the mode";
+  EXPECT_FALSE(settings.plane_distance) << "of the mode";
   EXPECT_EQ(paper_plane_distance, clustering.getDistanceThreshold());
   EXPECT_EQ(settings.min_support, clustering.getMinClusterSize());
   Hypotheses cloud;

@@ -27,7 +27,7 @@ TEST(ClusteringRefusals, wrongSettingsAreRefused)
       clustering.setSourceCloud(source, {{static_cast<float>(HUGE_VAL), 0, 0}}),
       BadArgumentException);
   EXPECT_EQ(clustering.getClusterTolerance(), 0.8);
-  EXPECT_EQ(clustering.getDistanceThreshold(), 0); // by the noise
+  EXPECT_FALSE(clustering.getDistanceThreshold()); // by the noise
   clustering.setNoiseDriven(false);
   EXPECT_EQ(clustering.getDistanceThreshold(), 0.25);
 }

@@ -34,12 +34,11 @@ meshOf(const PointCloud<MapPoint>& cloud, double longest_edge)
 {
   DeWallSettings settings;
   settings.maximum_edge_length = longest_edge;
-  settings.normals = PointView(cloud.front().normal, sizeof(MapPoint), cloud.size());
+  DeWallInput input;
+  input.points = PointView(&cloud.front().x, sizeof(MapPoint), cloud.size());
+  input.normals = PointView(cloud.front().normal, sizeof(MapPoint), cloud.size());
   DeWallReport report;
-  return triangulateDeWall(PointView(&cloud.front().x, sizeof(MapPoint), cloud.size()),
-                           settings,
-                           Progress(),
-                           report);
+  return triangulateDeWall(input, settings, Progress(), report);
 }
 
 } // namespace

@@ -58,7 +58,6 @@ struct SeenFloor {
   {
     PlaneClusteringSettings settings;
     settings.noise_driven = true;
-    settings.plane_distance = 0;
     settings.normal_angle = 0.2;
     PlaneClusteringReport report;
     const PlaneSource source{

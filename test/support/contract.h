@@ -10,6 +10,7 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -85,6 +86,16 @@ headerText(const std::string& path)
   return text;
 }
 
+/** \brief Does a message name the parameter, its value, its range and its unit, as
+ * requireInRange does? */
+inline bool
+namesRange(const std::string& message)
+{
+  static const std::regex form("[: ]*[A-Za-z].* = [^ ]+ is refused: it must be within "
+                               "\\[[^ ]+, [^ ]+\\] [^ ].*");
+  return std::regex_match(message, form);
+}
+
 /** \brief Setters with invalid values throw, explain why, and change nothing. \a Traits
  * as in \ref ClassContract.
  * \param[in] make creates an object in its initial state */
@@ -100,9 +111,11 @@ expectNonsenseRefused(const Make& make)
       ADD_FAILURE() << "nonsense was accepted: " << Traits::parameters(object);
     }
     catch (const BadArgumentException& error) {
-      for (const std::string& word : refused.words)
+      for (const std::string& word : refused.words) {
         EXPECT_NE(std::string(error.what()).find(word), std::string::npos)
             << '"' << word << "\" is not in \"" << error.what() << '"';
+        EXPECT_TRUE(word.front() != '[' || namesRange(error.what())) << error.what();
+      }
     }
     EXPECT_EQ(Traits::parameters(object), before);
   }

@@ -111,12 +111,13 @@ triangulateInLeaves(const Cloud& cloud, const DeWallRun& run, std::int32_t leaf_
   DeWallSettings settings;
   settings.rule = run.rule;
   settings.maximum_edge_length = run.length;
-  settings.threads = run.threads;
   settings.compute_wall_depth = run.depth;
   settings.leaf_size = leaf_size;
-  const PointView view(cloud.data(), sizeof(PointXYZ), cloud.size());
+  DeWallInput input;
+  input.points = PointView(cloud.data(), sizeof(PointXYZ), cloud.size());
+  input.threads = run.threads;
   DeWallResult result = withPoints(cloud);
-  result.mesh = triangulateDeWall(view, settings, Progress(), result.report);
+  result.mesh = triangulateDeWall(input, settings, Progress(), result.report);
   return result;
 }
 

@@ -15,11 +15,12 @@ expectSameMeshes(const Cloud& cloud, DeWallRule rule, const std::string& what)
   settings.rule = rule;
   settings.compute_wall_depth = true;
   settings.leaf_size = 256;
-  const PointView view(cloud.front().data, sizeof(PointXYZ), cloud.size());
+  DeWallInput input;
+  input.points = PointView(cloud.front().data, sizeof(PointXYZ), cloud.size());
   DeWallReport of_base, of_avx2;
-  const TriangleMesh base = dewall::triangulate(view, settings, Progress(), of_base);
+  const TriangleMesh base = dewall::triangulate(input, settings, Progress(), of_base);
   const TriangleMesh avx2 =
-      dewall_avx2::triangulate(view, settings, Progress(), of_avx2);
+      dewall_avx2::triangulate(input, settings, Progress(), of_avx2);
   EXPECT_EQ(base.triangles, avx2.triangles) << what;
   EXPECT_EQ(base.wall_depth, avx2.wall_depth) << what;
   EXPECT_EQ(of_base.clusters, of_avx2.clusters) << what;

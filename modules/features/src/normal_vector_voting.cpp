@@ -17,35 +17,21 @@ void
 VotingParameters::setRadiusSearch(double radius)
 {
   acmap::requireInRange("search radius", radius, 0.0, 1e9, "m (0 = automatic)");
-  radius_ = radius;
+  settings_.radius = radius;
 }
 
 void
 VotingParameters::setCreaseWeight(double eps)
 {
-  acmap::requireInRange("crease weight", eps, 1e-6, 1e6, "");
-  crease_weight_ = eps;
+  acmap::requireInRange("crease weight", eps, 1e-6, 1e6, "(no unit)");
+  settings_.crease_weight = eps;
 }
 
 void
 VotingParameters::setCornerWeight(double eta)
 {
-  acmap::requireInRange("corner weight", eta, 1e-6, 1e6, "");
-  corner_weight_ = eta;
-}
-
-double
-VotingParameters::getCreaseWeight() const
-{
-  return crease_weight_.value_or(paper_mode_ ? acmap::page_weight
-                                             : acmap::VotingSettings().crease_weight);
-}
-
-double
-VotingParameters::getCornerWeight() const
-{
-  return corner_weight_.value_or(paper_mode_ ? acmap::page_weight
-                                             : acmap::VotingSettings().corner_weight);
+  acmap::requireInRange("corner weight", eta, 1e-6, 1e6, "(no unit)");
+  settings_.corner_weight = eta;
 }
 
 void
@@ -56,13 +42,9 @@ VotingParameters::setViewpoints(std::vector<Eigen::Vector3f> viewpoints)
 }
 
 acmap::VotingSettings
-VotingParameters::kernelSettings() const
+VotingParameters::settings() const
 {
-  acmap::VotingSettings settings;
-  settings.radius = radius_;
-  settings.paper = paper_mode_;
-  settings.crease_weight = getCreaseWeight();
-  settings.corner_weight = getCornerWeight();
+  acmap::VotingSettings settings = settings_;
   settings.threads = threads_;
   return settings;
 }
@@ -117,13 +99,10 @@ NormalVectorVoting<PCLPointCloud2>::compute(CloudRows& output)
   const acmap::PointView points = acmap::requirePoints(rows_);
   acmap::requireCornersInside(triangles_, points.size());
   VotingReport report;
-  output = rowsOfVotes(acmap::voteNormals(points,
-                                          triangles_,
-                                          sensors(),
-                                          kernelSettings(),
-                                          acmap::Progress(progress_),
-                                          report)
-                           .normals);
+  output = rowsOfVotes(
+      acmap::voteNormals(
+          points, triangles_, sensors(), settings(), acmap::Progress(progress_), report)
+          .normals);
   report_ = std::move(report);
 }
 

@@ -9,6 +9,28 @@
 
 namespace pcl {
 
+void
+ConsolidationParameters::setVoxelSize(double size)
+{
+  acmap::requireInRange("voxel size", size, 0.0, 1e9, "m (0 = automatic)");
+  settings_.voxel_size = size;
+}
+
+void
+ConsolidationParameters::setViewpoints(std::vector<Eigen::Vector3f> viewpoints)
+{
+  acmap::requireViewpoints(viewpoints);
+  viewpoints_ = std::move(viewpoints);
+}
+
+acmap::ConsolidationSettings
+ConsolidationParameters::settings() const
+{
+  acmap::ConsolidationSettings settings = settings_;
+  settings.threads = threads_;
+  return settings;
+}
+
 namespace {
 
 using acmap::FieldWish;
@@ -69,21 +91,6 @@ VoxelConsolidation<PCLPointCloud2>::VoxelConsolidation()
 }
 
 void
-VoxelConsolidation<PCLPointCloud2>::setVoxelSize(double size)
-{
-  acmap::requireInRange("voxel size", size, 0.0, 1e9, "m (0 = automatic)");
-  voxel_size_ = size;
-}
-
-void
-VoxelConsolidation<PCLPointCloud2>::setViewpoints(
-    std::vector<Eigen::Vector3f> viewpoints)
-{
-  acmap::requireViewpoints(viewpoints);
-  viewpoints_ = std::move(viewpoints);
-}
-
-void
 VoxelConsolidation<PCLPointCloud2>::setSensorOrigin(const Eigen::Vector3f& origin)
 {
   acmap::requireViewpoints({origin});
@@ -128,16 +135,12 @@ VoxelConsolidation<PCLPointCloud2>::consolidate(const MakeRows& make)
   const Indices* const wanted = is_subset ? indices_.get() : nullptr;
   const CloudRows rows = rows_ ? rows_ : CloudRows(input_);
   const acmap::PointView points = acmap::requirePoints(rows, wanted);
-  acmap::ConsolidationSettings settings;
-  settings.voxel_size = voxel_size_;
-  settings.keep_sources = keep_sources_;
-  settings.threads = threads_;
   ConsolidationReport report;
   const acmap::Consolidation consolidation = acmap::consolidatePoints(
       points,
       acmap::sensorsOf(rows, viewpoints_, sensor_origin_, wanted),
       acmap::colorsOf(rows),
-      settings,
+      settings(),
       acmap::Progress(progress_),
       report);
 
@@ -159,7 +162,7 @@ VoxelConsolidation<PCLPointCloud2>::consolidate(const MakeRows& make)
     acmap::parallelForChunks(consolidation.representatives.size(), writeRows);
   });
   Indices voxel_of_point;
-  if (keep_sources_) {
+  if (getKeepSources()) {
     voxel_of_point.assign(rows.size(), -1);
     for (std::size_t i = 0; i < consolidation.representative_of.size(); ++i)
       voxel_of_point[static_cast<std::size_t>(points.index(i))] =

@@ -12,15 +12,15 @@ CylinderClusteringParameters::setRadiusLimits(double min_radius, double max_radi
 {
   acmap::requireInRange("minimum radius", min_radius, 0.0, 1e9, "m");
   acmap::requireInRange("maximum radius", max_radius, min_radius, 1e9, "m");
-  min_radius_ = min_radius;
-  max_radius_ = max_radius;
+  settings_.min_radius = min_radius;
+  settings_.max_radius = max_radius;
 }
 
 void
 CylinderClusteringParameters::setNoise(double sigma)
 {
   acmap::requireInRange("noise", sigma, 0.0, 1e9, "m");
-  sigma_ = sigma;
+  settings_.sigma = sigma;
 }
 
 void
@@ -28,7 +28,15 @@ CylinderClusteringParameters::setSourceScale(const NoiseScale& scale)
 {
   acmap::requireInRange("noise of the source", scale.sigma, 0.0, 1e9, "m");
   acmap::requireInRange("spacing of the source", scale.spacing, 0.0, 1e9, "m");
-  source_scale_ = scale;
+  settings_.source_scale = scale;
+}
+
+acmap::CylinderClusteringSettings
+CylinderClusteringParameters::settings() const
+{
+  acmap::CylinderClusteringSettings settings = settings_;
+  settings.threads = threads_;
+  return settings;
 }
 
 void
@@ -63,18 +71,12 @@ CylinderClusteringParameters::cluster(acmap::PlaneHypotheses hypotheses,
       for (const std::int32_t index : *chosen)
         labels_of_chosen.push_back(plane_labels_[static_cast<std::size_t>(index)]);
   }
-  acmap::CylinderClusteringSettings settings;
-  settings.min_radius = min_radius_;
-  settings.max_radius = max_radius_;
-  settings.sigma = sigma_;
-  settings.source_scale = source_scale_;
-  settings.threads = threads_;
   CylinderClusteringReport report;
   acmap::CylinderClusters clusters = acmap::clusterCylinders(
       hypotheses,
       {source_points_, source_sensors_},
       {planes_, chosen ? labels_of_chosen : plane_labels_, plane_source_labels_},
-      settings,
+      settings(),
       acmap::Progress(progress_),
       report);
   keepLabels(std::move(clusters.labels), chosen, points);

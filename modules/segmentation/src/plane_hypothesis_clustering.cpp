@@ -12,34 +12,44 @@ void
 PlaneClusteringParameters::setClusterTolerance(double distance)
 {
   acmap::requireInRange("cluster tolerance W_d", distance, 1e-9, 1e9, "m");
-  member_distance_ = distance;
+  settings_.member_distance = distance;
 }
 
 void
 PlaneClusteringParameters::setSmoothnessThreshold(double angle)
 {
   acmap::requireInRange("smoothness threshold W_n", angle, 1e-6, M_PI / 2, "rad");
-  normal_angle_ = angle;
+  settings_.normal_angle = angle;
 }
 
 void
 PlaneClusteringParameters::setDistanceThreshold(double distance)
 {
   acmap::requireInRange("distance threshold W_t", distance, 1e-9, 1e9, "m");
-  plane_distance_ = distance;
+  settings_.plane_distance = distance;
 }
 
-double
+std::optional<double>
 PlaneClusteringParameters::getDistanceThreshold() const
 {
-  return plane_distance_.value_or(noise_driven_ ? 0 : acmap::paper_plane_distance);
+  if (settings_.plane_distance || settings_.noise_driven)
+    return settings_.plane_distance;
+  return acmap::paper_plane_distance;
 }
 
 void
 PlaneClusteringParameters::setMinArea(double area)
 {
-  acmap::requireInRange("minimum area", area, 0.0, 1e12, "m^2");
-  min_area_ = area;
+  acmap::requireInRange("minimum area", area, 0.0, 1e12, "m^2 (0 = automatic)");
+  settings_.min_area = area;
+}
+
+acmap::PlaneClusteringSettings
+PlaneClusteringParameters::settings() const
+{
+  acmap::PlaneClusteringSettings settings = settings_;
+  settings.threads = threads_;
+  return settings;
 }
 
 std::vector<PlanePatch>
@@ -50,20 +60,11 @@ PlaneClusteringParameters::cluster(acmap::PlaneHypotheses hypotheses,
   hypotheses.triangles = triangles_;
   if (chosen)
     acmap::keepChosen(*chosen, points, hypotheses);
-  acmap::PlaneClusteringSettings settings;
-  settings.noise_driven = noise_driven_;
-  settings.member_distance = member_distance_;
-  settings.normal_angle = normal_angle_;
-  settings.plane_distance = getDistanceThreshold();
-  settings.min_support = min_support_;
-  settings.min_area = min_area_;
-  settings.regular = regularize_;
-  settings.threads = threads_;
   PlaneClusteringReport report;
   acmap::PlaneClusters clusters =
       acmap::clusterPlanes(hypotheses,
                            {source_points_, source_sensors_},
-                           settings,
+                           settings(),
                            acmap::Progress(progress_),
                            report);
   keepLabels(std::move(clusters.labels), chosen, points);
@@ -79,9 +80,9 @@ PlaneClusteringParameters::secondsOf(const acmap::PointView& points,
   bool has_normals = false;
   for (std::size_t i = 0; i < normals.size() && !has_normals; ++i)
     has_normals = normals[i].allFinite();
-  if (points.size() == 0 || noise_driven_ || !has_normals)
+  if (points.size() == 0 || settings_.noise_driven || !has_normals)
     return 0;
-  return acmap::secondsOfPaperGrowth(points, member_distance_);
+  return acmap::secondsOfPaperGrowth(points, settings_.member_distance);
 }
 
 namespace {

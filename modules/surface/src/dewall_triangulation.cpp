@@ -15,14 +15,14 @@ DeWallParameters::setAcceptanceRule(DeWallRule rule)
       rule != DeWallRule::Strict)
     acmap::refuseArgument(
         "acceptance rule", static_cast<int>(rule), "Paper, Dense or Strict");
-  rule_ = rule;
+  settings_.rule = rule;
 }
 
 void
 DeWallParameters::setMaximumEdgeLength(double length)
 {
   acmap::requireInRange("maximum edge length", length, 0.0, 1e9, "m (0 = automatic)");
-  maximum_edge_length_ = length;
+  settings_.maximum_edge_length = length;
 }
 
 void
@@ -33,27 +33,13 @@ DeWallParameters::setLeafSize(int points)
                         0,
                         std::numeric_limits<int>::max(),
                         "points (0 = automatic)");
-  leaf_size_ = points;
+  settings_.leaf_size = points;
 }
 
 void
 DeWallParameters::setUpDirection(const Eigen::Vector3d& up)
 {
-  up_ = acmap::requiredDirection(up);
-}
-
-acmap::DeWallSettings
-DeWallParameters::kernelSettings() const
-{
-  acmap::DeWallSettings settings;
-  settings.rule = rule_;
-  settings.maximum_edge_length = maximum_edge_length_;
-  settings.up = up_;
-  settings.compute_wall_depth = compute_wall_depth_;
-  settings.leaf_size = leaf_size_;
-  settings.threads = threads_;
-  settings.memory_limit = memory_limit_;
-  return settings;
+  settings_.up = acmap::requiredDirection(up);
 }
 
 namespace {
@@ -108,17 +94,18 @@ DeWallTriangulation<PCLPointCloud2>::setSensorOrigin(const Eigen::Vector3f& orig
 void
 DeWallTriangulation<PCLPointCloud2>::reconstruct(TriangleMesh& mesh)
 {
-  const acmap::PointView view = acmap::requirePoints(rows_);
+  acmap::DeWallInput input;
+  input.points = acmap::requirePoints(rows_);
   const RowNormals normals(rows_);
-  acmap::DeWallSettings settings = kernelSettings();
-  settings.sensor_origin = sensor_origin_.cast<double>();
-  settings.normals = normals.view();
-  settings.is_single_view =
+  input.sensor_origin = sensor_origin_.cast<double>();
+  input.is_single_view =
       rows_.layout().height > 1 &&
-      acmap::isSingleView(view, rows_.layout().width, settings.sensor_origin);
+      acmap::isSingleView(input.points, rows_.layout().width, input.sensor_origin);
+  input.normals = normals.view();
+  input.threads = threads_;
   DeWallReport report;
   TriangleMesh result =
-      acmap::triangulateDeWall(view, settings, acmap::Progress(progress_), report);
+      acmap::triangulateDeWall(input, settings(), acmap::Progress(progress_), report);
   mesh = std::move(result);
   report_ = std::move(report);
 }

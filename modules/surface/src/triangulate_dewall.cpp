@@ -50,18 +50,19 @@ estimateDeWallMemory(std::size_t points, bool with_normals, DeWallRule rule)
 }
 
 TriangleMesh
-triangulateDeWall(const PointView& view,
+triangulateDeWall(const DeWallInput& input,
                   const DeWallSettings& settings,
                   const Progress& progress,
                   DeWallReport& report)
 {
   static DeWallKernel& kernel = chooseKernel();
   const bool with_facing =
-      settings.is_single_view || settings.normals.size() > 0 || settings.up;
-  requireWithinLimit(estimateDeWallMemory(view.size(), with_facing, settings.rule),
-                     settings.memory_limit);
-  return withThreads(settings.threads,
-                     [&] { return kernel(view, settings, progress, report); });
+      input.is_single_view || input.normals.size() > 0 || settings.up;
+  requireWithinLimit(
+      estimateDeWallMemory(input.points.size(), with_facing, settings.rule),
+      settings.memory_limit);
+  return withThreads(input.threads,
+                     [&] { return kernel(input, settings, progress, report); });
 }
 
 } // namespace pcl::acmap

@@ -18,12 +18,13 @@ viewOf(const PlaneInput& input)
 TriangleMesh
 meshAsItIs(const PlaneInput& input)
 {
-  DeWallSettings settings;
-  settings.threads = 1;
+  DeWallInput seen;
+  seen.points = viewOf(input);
+  seen.threads = 1;
   if (!input.origins.empty())
-    settings.sensor_origin = input.origins.front().cast<double>();
+    seen.sensor_origin = input.origins.front().cast<double>();
   DeWallReport report;
-  return triangulateDeWall(viewOf(input), settings, Progress(), report);
+  return triangulateDeWall(seen, DeWallSettings(), Progress(), report);
 }
 
 VotedNormals
@@ -70,7 +71,8 @@ findPlanesAt(const PlaneInput& input, double distance)
     addVotes(voteOn(hypotheses), hypotheses);
     PlaneClusteringSettings clustering;
     clustering.noise_driven = true;
-    clustering.plane_distance = distance;
+    if (distance > 0)
+      clustering.plane_distance = distance;
     clustering.threads = 1;
     PlaneClusteringReport planes;
     PlaneClusters clusters = clusterPlanes(

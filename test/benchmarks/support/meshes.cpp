@@ -11,9 +11,11 @@ meshRaw(const PointView& points, DeWallRule rule, unsigned threads)
 {
   DeWallSettings settings;
   settings.rule = rule;
-  settings.threads = threads;
+  DeWallInput input;
+  input.points = points;
+  input.threads = threads;
   RawMesh result;
-  result.mesh = triangulateDeWall(points, settings, Progress(), result.report);
+  result.mesh = triangulateDeWall(input, settings, Progress(), result.report);
   return result;
 }
 
@@ -32,15 +34,14 @@ meshOf(const Consolidation& consolidation, double voxel)
   DeWallSettings settings;
   settings.rule = DeWallRule::Paper;
   settings.maximum_edge_length = 2.5 * voxel;
-  settings.threads = 1;
-  settings.normals =
+  DeWallInput input;
+  input.points =
+      PointView(all.front().point.data(), sizeof(Representative), all.size());
+  input.normals =
       PointView(all.front().normal.data(), sizeof(Representative), all.size());
+  input.threads = 1;
   DeWallReport report;
-  return triangulateDeWall(
-      PointView(all.front().point.data(), sizeof(Representative), all.size()),
-      settings,
-      Progress(),
-      report);
+  return triangulateDeWall(input, settings, Progress(), report);
 }
 
 test::Points

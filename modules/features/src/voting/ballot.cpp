@@ -12,8 +12,9 @@ VertexClass
 classify(const Eigen::Vector3d& ascending, const VotingSettings& settings)
 {
   const double surface = ascending[2] - ascending[1];
-  const double crease = settings.crease_weight * (ascending[1] - ascending[0]);
-  const double corner = settings.crease_weight * settings.corner_weight * ascending[0];
+  const double crease = settings.creaseWeight() * (ascending[1] - ascending[0]);
+  const double corner =
+      settings.creaseWeight() * settings.cornerWeight() * ascending[0];
   if (surface >= crease && surface >= corner)
     return VertexClass::Surface;
   return crease >= corner ? VertexClass::Crease : VertexClass::Corner;

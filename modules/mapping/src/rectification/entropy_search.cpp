@@ -72,7 +72,7 @@ EntropySearch::entropySettings(const EntropyLevel& level) const
   MapEntropySettings settings;
   settings.bin_size = level.bin_size;
   settings.smoothing = level.bin_size;
-  settings.projection_weight = task_.settings.projection_weight;
+  settings.projection_weight = projectionWeight(task_.settings);
   settings.direction_aware = level.direction_aware;
   return settings;
 }

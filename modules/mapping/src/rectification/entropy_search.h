@@ -24,6 +24,14 @@ struct RectificationTask {
   EntropyRectificationReport& report;
 };
 
+/** \brief mu as it was set, or the one of the mode. */
+inline double
+projectionWeight(const RectificationSettings& settings)
+{
+  return settings.projection_weight.value_or(
+      settings.mode == RectificationMode::Paper ? 0.1 : 0);
+}
+
 /** \brief A level of the descent: its resolution and the weight of the entropy. */
 struct EntropyLevel {
   double bin_size;

@@ -76,7 +76,7 @@ searchAlongAxes(const RectificationTask& task,
 {
   const RectificationSettings& settings = task.settings;
   double turn = 0;
-  if (settings.projection_weight > 0) {
+  if (projectionWeight(settings) > 0) {
     const EntropyLevel level{
         settings.bin_size, 1, false, false}; // coarse bins would be 1 degree off
     turn = buildingDirection(
@@ -109,14 +109,6 @@ whatHinders(EntropySearch& search,
   return terms.points == 0 || terms.dimensions < 2 ? told.remarks.front() : "";
 }
 
-RectificationSettings
-withWeightOfMode(RectificationSettings settings)
-{
-  if (settings.projection_weight < 0)
-    settings.projection_weight = settings.mode == RectificationMode::Paper ? 0.1 : 0;
-  return settings;
-}
-
 } // namespace
 
 std::vector<PlanarPose>
@@ -129,8 +121,7 @@ rectify(const std::vector<LevelledPoints>& observations,
   if (poses.size() != observations.size())
     throw BadArgumentException("each observation needs one pose");
   count(observations, report);
-  const RectificationSettings all_set = withWeightOfMode(settings);
-  const RectificationTask task{observations, all_set, progress, report};
+  const RectificationTask task{observations, settings, progress, report};
   EntropySearch search(task);
   std::vector<PlanarPose> result = poses;
   report.reason = whatHinders(search, poses, settings.bin_size);

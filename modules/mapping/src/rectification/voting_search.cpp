@@ -54,8 +54,8 @@ entropyOf(const RectificationSettings& settings)
 {
   MapEntropySettings entropy;
   entropy.bin_size = settings.bin_size;
-  entropy.smoothing = settings.smoothing < 0 ? settings.bin_size : settings.smoothing;
-  entropy.projection_weight = settings.projection_weight;
+  entropy.smoothing = settings.smoothing.value_or(settings.bin_size);
+  entropy.projection_weight = projectionWeight(settings);
   return entropy;
 }
 

@@ -192,13 +192,12 @@ describe(const PlaneClusters& clusters,
 PlaneLimits
 growthLimits(const PlaneClusteringSettings& settings, const CellGraph& graph)
 {
-  const bool is_distance_set = settings.plane_distance > 0;
   PlaneLimits limits;
   const double automatic =
       settings.noise_driven ? automaticDistance(graph) : paper_plane_distance;
-  limits.distance = is_distance_set ? settings.plane_distance : automatic;
+  limits.distance = settings.plane_distance.value_or(automatic);
   limits.cosine = std::cos(settings.normal_angle);
-  if (settings.noise_driven && !is_distance_set) {
+  if (settings.noise_driven && !settings.plane_distance) {
     limits.bow = 0.004;
     limits.max_bow = 0.01;
     limits.max_warp = 0.025;

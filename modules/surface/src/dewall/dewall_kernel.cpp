@@ -95,13 +95,15 @@ listsOf(std::vector<Part>& parts, GrowingMesh& mesh, DeWallReport& report)
 }
 
 Facing
-facingOf(const PointTree& tree, const Spacing& spacing, const DeWallSettings& settings)
+facingOf(const PointTree& tree,
+         const Spacing& spacing,
+         const DeWallInput& input,
+         const std::optional<Eigen::Vector3d>& up)
 {
-  if (settings.up)
-    return Facing::along(
-        freeSpaceNormals(tree, spacing, settings.normals, *settings.up));
-  return settings.is_single_view ? Facing::towards(tree, settings.sensor_origin)
-                                 : Facing::byNormals(tree, settings.normals);
+  if (up)
+    return Facing::along(freeSpaceNormals(tree, spacing, input.normals, *up));
+  return input.is_single_view ? Facing::towards(tree, input.sensor_origin)
+                              : Facing::byNormals(tree, input.normals);
 }
 
 /** \brief Maximum number of points of a half that is not divided. */
@@ -119,6 +121,7 @@ TriangleMesh
 guardedMesh(const PointTree& tree,
             const SizeConstraint& size,
             const Facing& facing,
+            const Eigen::Vector3d& sensor_origin,
             const DeWallSettings& settings,
             const std::function<void()>& tick,
             StepTimer& timer,
@@ -144,7 +147,7 @@ guardedMesh(const PointTree& tree,
   TriangleMesh result = orientedMesh(mesh,
                                      lists,
                                      std::move(components),
-                                     settings.sensor_origin,
+                                     sensor_origin,
                                      settings.compute_wall_depth,
                                      report);
   timer.finish("orientation");
@@ -154,7 +157,7 @@ guardedMesh(const PointTree& tree,
 } // namespace
 
 TriangleMesh
-triangulate(const PointView& view,
+triangulate(const DeWallInput& input,
             const DeWallSettings& settings,
             const Progress& progress,
             DeWallReport& report)
@@ -162,7 +165,7 @@ triangulate(const PointView& view,
   report = {};
   StepTimer timer(report);
   progress.tell(0, "cells");
-  const PointTree tree(distinctPoints(view, report));
+  const PointTree tree(distinctPoints(input.points, report));
   timer.finish("cells");
   remarkOnInput(report);
   if (tree.size() < 3) {
@@ -170,7 +173,7 @@ triangulate(const PointView& view,
                              " distinct finite points");
     return {};
   }
-  const Spacing spacing = measureSpacing(tree, settings.neighbours);
+  const Spacing spacing = measureSpacing(tree, input.neighbours);
   remarkOnSearch(spacing, report);
   report.median_spacing = spacing.median();
   const SizeConstraint size = settings.maximum_edge_length > 0
@@ -180,14 +183,22 @@ triangulate(const PointView& view,
   report.largest_maximum_edge = size.largest();
   timer.finish("spacing");
 
-  const Facing facing = facingOf(tree, spacing, settings);
+  const Facing facing = facingOf(tree, spacing, input, settings.up);
   Ticker ticker(progress, tree.size(), settings.rule);
   const std::function<void()> tick = [&] { ticker(); };
   TriangleMesh result =
       settings.rule == DeWallRule::Strict
-          ? literalMesh(
-                tree, size, facing, settings, leafSizeOf(settings), tick, timer, report)
-          : guardedMesh(tree, size, facing, settings, tick, timer, report);
+          ? literalMesh(tree,
+                        size,
+                        facing,
+                        input.sensor_origin,
+                        settings,
+                        leafSizeOf(settings),
+                        tick,
+                        timer,
+                        report)
+          : guardedMesh(
+                tree, size, facing, input.sensor_origin, settings, tick, timer, report);
   if (result.triangles.empty())
     report.remarks.push_back(whyEmpty(size));
   progress.tell(1, "orientation");

@@ -6,7 +6,7 @@ namespace pcl::acmap {
 
 /** \brief The triangulation in the threads of the caller's arena; see
  * \ref triangulateDeWall. */
-using DeWallKernel = TriangleMesh(const PointView& view,
+using DeWallKernel = TriangleMesh(const DeWallInput& input,
                                   const DeWallSettings& settings,
                                   const Progress& progress,
                                   DeWallReport& report);

@@ -145,6 +145,7 @@ TriangleMesh
 literalMesh(const PointTree& tree,
             const SizeConstraint& size,
             const Facing& facing,
+            const Eigen::Vector3d& sensor_origin,
             const DeWallSettings& settings,
             std::int32_t leaf_size,
             const std::function<void()>& tick,
@@ -157,8 +158,8 @@ literalMesh(const PointTree& tree,
   timer.finish("clusters");
   std::vector<LiteralMesh> meshes(clusters.size());
   oneapi::tbb::parallel_for(std::size_t{0}, clusters.size(), [&](std::size_t c) {
-    meshes[c] = meshCluster(
-        tree, size, facing, settings.sensor_origin, clusters[c], leaf_size, tick);
+    meshes[c] =
+        meshCluster(tree, size, facing, sensor_origin, clusters[c], leaf_size, tick);
   });
   timer.finish("walls and halves");
   EdgeCount(tree.size(), meshes).tell(report);

@@ -119,6 +119,7 @@ TriangleMesh
 literalMesh(const PointTree& tree,
             const SizeConstraint& size,
             const Facing& facing,
+            const Eigen::Vector3d& sensor_origin,
             const DeWallSettings& settings,
             std::int32_t leaf_size,
             const std::function<void()>& tick,

@@ -47,13 +47,13 @@ public:
   void
   setPaperMode(bool paper_mode)
   {
-    paper_mode_ = paper_mode;
+    settings_.paper = paper_mode;
   }
 
   bool
   getPaperMode() const
   {
-    return paper_mode_;
+    return settings_.paper;
   }
 
   /** \brief Sets g_max, the maximum geodesic distance of the votes.
@@ -66,7 +66,7 @@ public:
   double
   getRadiusSearch() const
   {
-    return radius_;
+    return settings_.radius;
   }
 
   /** \brief Sets eps, the weight of a crease relative to a surface: two equal faces
@@ -78,7 +78,10 @@ public:
   setCreaseWeight(double eps);
 
   double
-  getCreaseWeight() const;
+  getCreaseWeight() const
+  {
+    return settings_.creaseWeight();
+  }
 
   /** \brief Sets eta, the weight of a corner relative to a crease (default 0.3; in
    * paper mode 2).
@@ -87,7 +90,10 @@ public:
   setCornerWeight(double eta);
 
   double
-  getCornerWeight() const;
+  getCornerWeight() const
+  {
+    return settings_.cornerWeight();
+  }
 
   /** \brief Sets the sensor positions of the observations given by the field `view` of
    * the points, in metres, in the frame of the cloud.
@@ -101,21 +107,18 @@ public:
     return viewpoints_;
   }
 
+  /** \brief All settings. */
+  acmap::VotingSettings
+  settings() const;
+
 protected:
   VotingParameters() = default;
-
-  /** \brief The settings for the kernel. */
-  acmap::VotingSettings
-  kernelSettings() const;
 
   TriangleMesh::Triangles triangles_;
   std::vector<Eigen::Vector3f> viewpoints_;
 
 private:
-  double radius_ = 0;
-  bool paper_mode_ = false;
-  std::optional<double> crease_weight_;
-  std::optional<double> corner_weight_;
+  acmap::VotingSettings settings_;
 };
 
 /** \brief Estimates the normals at the vertices of a triangle mesh by votes of the

@@ -8,12 +8,71 @@
 #include <pcl/core/stage_controls.h>
 #include <pcl/filters/consolidation_types.h>
 #include <pcl/filters/filter.h>
+#include <pcl/filters/impl/consolidation_kernel.h>
 
 #include <functional>
 #include <optional>
 #include <vector>
 
 namespace pcl {
+
+/** \brief Settings of \ref VoxelConsolidation, for clouds of points and of rows.
+ * \ingroup filters */
+class ACMAP_EXPORT ConsolidationParameters : public StageControls<ConsolidationReport> {
+public:
+  /** \brief Sets the edge of a voxel.
+   * \param[in] size metres; 0 (default) for automatic: the minimum size that reduces
+   * the noise to 1/80 of the voxel and is at least twice the spacing of sparse points
+   * and four times their noise, see NoiseScale
+   * \throws BadArgumentException when negative or not finite */
+  void
+  setVoxelSize(double size);
+
+  double
+  getVoxelSize() const
+  {
+    return settings_.voxel_size;
+  }
+
+  /** \brief Sets the sensor positions of the observations given by the field `view` of
+   * the points, in metres, in the frame of the cloud. Clouds without that field are
+   * assumed to be seen from their sensor_origin_.
+   * \throws BadArgumentException when one is not finite */
+  void
+  setViewpoints(std::vector<Eigen::Vector3f> viewpoints);
+
+  const std::vector<Eigen::Vector3f>&
+  getViewpoints() const
+  {
+    return viewpoints_;
+  }
+
+  /** \brief Keeps the sources of the output points (default false): a second pass over
+   * the points, and 8 bytes for each. See VoxelConsolidation::getVoxelOfPoint. */
+  void
+  setKeepSources(bool keep)
+  {
+    settings_.keep_sources = keep;
+  }
+
+  bool
+  getKeepSources() const
+  {
+    return settings_.keep_sources;
+  }
+
+  /** \brief All settings. */
+  acmap::ConsolidationSettings
+  settings() const;
+
+protected:
+  ConsolidationParameters() = default;
+
+  std::vector<Eigen::Vector3f> viewpoints_;
+
+private:
+  acmap::ConsolidationSettings settings_;
+};
 
 /** \brief Resamples a noisy cloud of surfaces at the scale of its noise: one point per
  * voxel, on the plane of the points around it.
@@ -50,8 +109,7 @@ namespace pcl {
  * meshes the raw points.
  * \ingroup filters */
 template <typename PointT>
-class VoxelConsolidation : public Filter<PointT>,
-                           public StageControls<ConsolidationReport> {
+class VoxelConsolidation : public Filter<PointT>, public ConsolidationParameters {
 public:
   using Ptr = shared_ptr<VoxelConsolidation<PointT>>;
   using ConstPtr = shared_ptr<const VoxelConsolidation<PointT>>;
@@ -71,47 +129,6 @@ public:
   void
   setInputCloud(const PointCloudConstPtr& cloud) override;
 
-  /** \brief Sets the edge of a voxel.
-   * \param[in] size metres; 0 (default) for automatic: the minimum size that reduces
-   * the noise to 1/80 of the voxel and is at least twice the spacing of sparse points
-   * and four times their noise, see NoiseScale
-   * \throws BadArgumentException when negative or not finite */
-  void
-  setVoxelSize(double size);
-
-  double
-  getVoxelSize() const
-  {
-    return voxel_size_;
-  }
-
-  /** \brief Sets the sensor positions of the observations given by the field `view` of
-   * the points, in metres, in the frame of the cloud. Clouds without that field are
-   * assumed to be seen from their sensor_origin_.
-   * \throws BadArgumentException when one is not finite */
-  void
-  setViewpoints(std::vector<Eigen::Vector3f> viewpoints);
-
-  const std::vector<Eigen::Vector3f>&
-  getViewpoints() const
-  {
-    return viewpoints_;
-  }
-
-  /** \brief Enables \ref getSourceIndices and \ref getVoxelOfPoint (default false).
-   * This requires a second pass over the points, and 8 bytes for each of them. */
-  void
-  setKeepSources(bool keep)
-  {
-    keep_sources_ = keep;
-  }
-
-  bool
-  getKeepSources() const
-  {
-    return keep_sources_;
-  }
-
   /** \brief Consolidates the input cloud, or its indices if they are set.
    * \param[out] output may be the input; empty, with the reason in the report, if no
    * point is finite or no voxel size can be determined
@@ -121,7 +138,7 @@ public:
   filter(PointCloud& output);
 
   /** \brief Returns the input points of each output point of the last run; empty unless
-   * enabled by \ref setKeepSources. */
+   * enabled by \ref ConsolidationParameters::setKeepSources. */
   const SourceIndices&
   getSourceIndices() const
   {
@@ -130,7 +147,7 @@ public:
 
   /** \brief Returns for each point of the input cloud the index of the output point
    * that represents it, -1 if there is none; empty unless enabled by
-   * \ref setKeepSources. */
+   * \ref ConsolidationParameters::setKeepSources. */
   const Indices&
   getVoxelOfPoint() const
   {
@@ -149,9 +166,6 @@ private:
   void
   keepSources(const PointLabels& representative_of, std::size_t size);
 
-  double voxel_size_ = 0;
-  std::vector<Eigen::Vector3f> viewpoints_;
-  bool keep_sources_ = false;
   SourceIndices sources_;
   Indices voxel_of_point_;
 };
@@ -163,8 +177,8 @@ private:
  * and `curvature` are set, and added where they are missing, and `sigma` becomes the
  * residual noise. \ingroup filters */
 template <>
-class ACMAP_EXPORT VoxelConsolidation<PCLPointCloud2>
-: public Filter<PCLPointCloud2>, public StageControls<ConsolidationReport> {
+class ACMAP_EXPORT VoxelConsolidation<PCLPointCloud2> : public Filter<PCLPointCloud2>,
+                                                        public ConsolidationParameters {
 public:
   using Ptr = shared_ptr<VoxelConsolidation<PCLPointCloud2>>;
   using ConstPtr = shared_ptr<const VoxelConsolidation<PCLPointCloud2>>;
@@ -192,42 +206,13 @@ public:
     rows_ = rows;
   }
 
-  /** \brief See the class of point types. */
-  void
-  setVoxelSize(double size);
-
-  double
-  getVoxelSize() const
-  {
-    return voxel_size_;
-  }
-
-  /** \brief Sets the positions of the observations that the int32 field `view` refers to,
-   * in metres, in the frame of the cloud.
-   * \throws BadArgumentException when one is not finite */
-  void
-  setViewpoints(std::vector<Eigen::Vector3f> viewpoints);
-
   /** \brief Sets the position of the sensor of a cloud without a field `view`, in metres.
    * PCLPointCloud2 has none. \throws BadArgumentException when it is not finite */
   void
   setSensorOrigin(const Eigen::Vector3f& origin);
 
-  /** \brief Requests \ref getVoxelOfPoint (default false). */
-  void
-  setKeepSources(bool keep)
-  {
-    keep_sources_ = keep;
-  }
-
-  bool
-  getKeepSources() const
-  {
-    return keep_sources_;
-  }
-
   /** \brief For each point of the input cloud the output point that represents it, -1 if
-   * there is none; empty unless requested with \ref setKeepSources. */
+   * there is none; empty unless requested (setKeepSources). */
   const Indices&
   getVoxelOfPoint() const
   {
@@ -258,10 +243,7 @@ private:
   void
   consolidate(const MakeRows& make);
 
-  double voxel_size_ = 0;
-  std::vector<Eigen::Vector3f> viewpoints_;
   std::optional<Eigen::Vector3f> sensor_origin_;
-  bool keep_sources_ = false;
   Indices voxel_of_point_;
   CloudRows rows_; ///< instead of the input cloud, if there are any
 };

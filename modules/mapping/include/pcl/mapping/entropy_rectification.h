@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <optional>
 
 namespace pcl {
 
@@ -101,8 +102,8 @@ public:
   void
   setProjectionWeight(double mu);
 
-  /** \brief mu as it was set; negative: the default of the mode. */
-  double
+  /** \brief mu as it was set; nothing: the default of the mode. */
+  const std::optional<double>&
   getProjectionWeight() const
   {
     return settings_.projection_weight;
@@ -116,8 +117,8 @@ public:
   void
   setSmoothing(double metres);
 
-  /** \brief sigma_XZ as it was set, metres; negative: the bin size. */
-  double
+  /** \brief sigma_XZ as it was set, metres; nothing: the bin size. */
+  const std::optional<double>&
   getSmoothing() const
   {
     return settings_.smoothing;
@@ -176,6 +177,13 @@ public:
    * changed */
   void
   compute();
+
+  /** \brief All settings but the up direction. */
+  const acmap::RectificationSettings&
+  settings() const
+  {
+    return settings_;
+  }
 
 private:
   acmap::RectificationSettings settings_;

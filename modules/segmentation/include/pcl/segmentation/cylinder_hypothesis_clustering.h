@@ -13,7 +13,6 @@
 #include <pcl/segmentation/cylinder_clustering_types.h>
 #include <pcl/segmentation/impl/cylinder_clustering_kernel.h>
 
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -48,7 +47,7 @@ public:
   setSourceCloud(const Cloud& cloud,
                  const std::vector<Eigen::Vector3f>& viewpoints = {})
   {
-    source_scale_.reset();
+    settings_.source_scale.reset();
     ClusteringInputs::setSourceCloud(cloud, viewpoints);
   }
 
@@ -68,8 +67,8 @@ public:
   void
   getRadiusLimits(double& min_radius, double& max_radius) const
   {
-    min_radius = min_radius_;
-    max_radius = max_radius_;
+    min_radius = settings_.min_radius;
+    max_radius = settings_.max_radius;
   }
 
   /** \brief Sets the standard deviation of the points across their surface in metres,
@@ -81,8 +80,12 @@ public:
   double
   getNoise() const
   {
-    return sigma_;
+    return settings_.sigma;
   }
+
+  /** \brief All settings. */
+  acmap::CylinderClusteringSettings
+  settings() const;
 
 protected:
   CylinderClusteringParameters() = default;
@@ -103,10 +106,7 @@ private:
   std::vector<PlanePatch> planes_;
   PointLabels plane_labels_;
   PointLabels plane_source_labels_;
-  double min_radius_ = 0;
-  double max_radius_ = 1e9;
-  double sigma_ = 0;
-  std::optional<NoiseScale> source_scale_;
+  acmap::CylinderClusteringSettings settings_;
 };
 
 /** \brief Finds all cylinders of a cloud in one deterministic call: columns, pipes and

@@ -7,6 +7,7 @@
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
 #include <pcl/segmentation/depth_plane_types.h>
+#include <pcl/segmentation/impl/depth_plane_kernel.h>
 
 #include <cstdint>
 #include <vector>
@@ -59,7 +60,7 @@ public:
   double
   getMinArea() const
   {
-    return min_area_;
+    return settings_.min_area;
   }
 
   /** \brief Rotates planes about their centres to be exactly parallel or perpendicular
@@ -68,13 +69,20 @@ public:
   void
   setRegularize(bool regularize)
   {
-    regularize_ = regularize;
+    settings_.regular = regularize;
   }
 
   bool
   getRegularize() const
   {
-    return regularize_;
+    return settings_.regular;
+  }
+
+  /** \brief All settings. */
+  const acmap::DepthSegmentationSettings&
+  settings() const
+  {
+    return settings_;
   }
 
   /** \brief Finds all planes of the view, or of its indices if they are set; the other
@@ -107,8 +115,7 @@ protected:
   using PCLBase<PointT>::indices_;
 
 private:
-  double min_area_ = 0;
-  bool regularize_ = false;
+  acmap::DepthSegmentationSettings settings_;
   PointLabels labels_;
 };
 

@@ -27,13 +27,13 @@ public:
   void
   setNoiseDriven(bool noise_driven)
   {
-    noise_driven_ = noise_driven;
+    settings_.noise_driven = noise_driven;
   }
 
   bool
   getNoiseDriven() const
   {
-    return noise_driven_;
+    return settings_.noise_driven;
   }
 
   /** \brief Sets W_d in metres (default 0.8): the maximum distance of a supporter from
@@ -45,7 +45,7 @@ public:
   double
   getClusterTolerance() const
   {
-    return member_distance_;
+    return settings_.member_distance;
   }
 
   /** \brief Sets W_n in radians (default pi / 8, maximum pi / 2). */
@@ -55,7 +55,7 @@ public:
   double
   getSmoothnessThreshold() const
   {
-    return normal_angle_;
+    return settings_.normal_angle;
   }
 
   /** \brief Sets W_t in metres (default: computed from the noise; with the paper's
@@ -63,8 +63,9 @@ public:
   void
   setDistanceThreshold(double distance);
 
-  /** \brief 0: computed from the noise. */
-  double
+  /** \brief W_t in metres as it was set; otherwise the paper's with its thresholds, and
+   * nothing if it is computed from the noise. */
+  std::optional<double>
   getDistanceThreshold() const;
 
   /** \brief Sets W_h (default 50): a hypothesis needs more supporters than this, itself
@@ -72,13 +73,13 @@ public:
   void
   setMinClusterSize(std::size_t support)
   {
-    min_support_ = support;
+    settings_.min_support = support;
   }
 
   std::size_t
   getMinClusterSize() const
   {
-    return min_support_;
+    return settings_.min_support;
   }
 
   /** \brief Sets the minimum area of a plane; used if noise-driven.
@@ -91,7 +92,7 @@ public:
   double
   getMinArea() const
   {
-    return min_area_;
+    return settings_.min_area;
   }
 
   /** \brief Rotates planes about their centres to be exactly parallel or perpendicular
@@ -101,14 +102,18 @@ public:
   void
   setRegularize(bool regularize)
   {
-    regularize_ = regularize;
+    settings_.regular = regularize;
   }
 
   bool
   getRegularize() const
   {
-    return regularize_;
+    return settings_.regular;
   }
+
+  /** \brief All settings. */
+  acmap::PlaneClusteringSettings
+  settings() const;
 
 protected:
   PlaneClusteringParameters() = default;
@@ -126,13 +131,7 @@ protected:
   secondsOf(const acmap::PointView& points, const acmap::PointView& normals) const;
 
 private:
-  bool noise_driven_ = true;
-  double member_distance_ = 0.8;
-  double normal_angle_ = 0.39269908169872414;
-  std::optional<double> plane_distance_;
-  std::size_t min_support_ = 50;
-  double min_area_ = 0;
-  bool regularize_ = false;
+  acmap::PlaneClusteringSettings settings_;
 };
 
 /** \brief Finds all planes of a cloud with normals in one deterministic call.

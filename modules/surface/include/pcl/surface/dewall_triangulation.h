@@ -25,7 +25,7 @@ public:
   DeWallRule
   getAcceptanceRule() const
   {
-    return rule_;
+    return settings_.rule;
   }
 
   /** \brief Sets the size constraint L, the maximum length of an edge.
@@ -40,7 +40,7 @@ public:
   double
   getMaximumEdgeLength() const
   {
-    return maximum_edge_length_;
+    return settings_.maximum_edge_length;
   }
 
   /** \brief Sets the number of points up to which a part is triangulated without a further
@@ -53,7 +53,7 @@ public:
   int
   getLeafSize() const
   {
-    return leaf_size_;
+    return settings_.leaf_size;
   }
 
   /** \brief Sets the up direction of a cloud whose sensor is not known, such as a survey
@@ -71,14 +71,14 @@ public:
   void
   resetUpDirection()
   {
-    up_.reset();
+    settings_.up.reset();
   }
 
   /** \brief The up direction that was set, of length 1. */
   const std::optional<Eigen::Vector3d>&
   getUpDirection() const
   {
-    return up_;
+    return settings_.up;
   }
 
   /** \brief Requests the computation of \ref TriangleMesh::wall_depth (default
@@ -86,13 +86,13 @@ public:
   void
   setComputeWallDepth(bool compute)
   {
-    compute_wall_depth_ = compute;
+    settings_.compute_wall_depth = compute;
   }
 
   bool
   getComputeWallDepth() const
   {
-    return compute_wall_depth_;
+    return settings_.compute_wall_depth;
   }
 
   /** \brief Sets the maximum memory of reconstruct (), without its input, in bytes (0 =
@@ -100,29 +100,27 @@ public:
   void
   setMemoryLimit(std::size_t bytes)
   {
-    memory_limit_ = bytes;
+    settings_.memory_limit = bytes;
   }
 
   std::size_t
   getMemoryLimit() const
   {
-    return memory_limit_;
+    return settings_.memory_limit;
+  }
+
+  /** \brief All settings. */
+  const acmap::DeWallSettings&
+  settings() const
+  {
+    return settings_;
   }
 
 protected:
   DeWallParameters() = default;
 
-  /** \brief The settings for the kernel; those of the input are not set. */
-  acmap::DeWallSettings
-  kernelSettings() const;
-
 private:
-  DeWallRule rule_ = DeWallRule::Paper;
-  double maximum_edge_length_ = 0;
-  int leaf_size_ = 0;
-  std::optional<Eigen::Vector3d> up_;
-  bool compute_wall_depth_ = false;
-  std::size_t memory_limit_ = 0;
+  acmap::DeWallSettings settings_;
 };
 
 /** \brief Open, manifold triangle mesh of a point cloud by a Delaunay wall of

@@ -5,6 +5,7 @@
 #include <pcl/core/stage_controls.h>
 #include <pcl/memory.h>
 #include <pcl/point_cloud.h>
+#include <pcl/texture/impl/texturing_kernel.h>
 #include <pcl/texture/texturing_types.h>
 
 #include <Eigen/Geometry>
@@ -13,10 +14,6 @@
 #include <vector>
 
 namespace pcl {
-
-namespace acmap {
-struct TexturingSettings;
-}
 
 /** \brief Textures planes and cylinders with the colours of the observations: the last step of
  * "Active Stereo Based Compact Mapping" (II-C), which turns planes into a compact map.
@@ -134,13 +131,13 @@ public:
   void
   setPaperMode(bool paper_mode)
   {
-    paper_mode_ = paper_mode;
+    settings_.paper = paper_mode;
   }
 
   bool
   getPaperMode() const
   {
-    return paper_mode_;
+    return settings_.paper;
   }
 
   /** \brief Sets the edge length of a texel (default 0.02 m). Up to sixteen times
@@ -153,7 +150,7 @@ public:
   double
   getTexelSize() const
   {
-    return texel_size_;
+    return settings_.texel_size;
   }
 
   /** \brief Sets the maximum distance of a point from the plane it colours (default 0.3
@@ -164,7 +161,7 @@ public:
   double
   getMaximumDistance() const
   {
-    return maximum_distance_;
+    return settings_.maximum_distance;
   }
 
   /** \brief Sets the maximum width and height of a chart in texels (default 4088, which
@@ -176,7 +173,7 @@ public:
   int
   getMaximumTextureSize() const
   {
-    return maximum_texture_size_;
+    return settings_.maximum_texture_size;
   }
 
   /** \brief Sets how far holes are filled from their borders (default 5 texels; 0, and
@@ -188,7 +185,7 @@ public:
   int
   getFillDistance() const
   {
-    return fill_distance_;
+    return settings_.fill_distance;
   }
 
   /** \brief Enables the correction of the observations to a common exposure (default
@@ -196,13 +193,13 @@ public:
   void
   setCorrectExposure(bool correct)
   {
-    correct_exposure_ = correct;
+    settings_.correct_exposure = correct;
   }
 
   bool
   getCorrectExposure() const
   {
-    return correct_exposure_;
+    return settings_.correct_exposure;
   }
 
   /** \brief All settings. */
@@ -236,12 +233,7 @@ private:
   std::vector<CylinderPatch> cylinders_;
   bool has_planes_ = false;
   std::vector<Observation> observations_;
-  bool paper_mode_ = false;
-  double texel_size_ = 0.02;
-  double maximum_distance_ = 0.3;
-  int maximum_texture_size_ = 4088;
-  int fill_distance_ = 5;
-  bool correct_exposure_ = true;
+  acmap::TexturingSettings settings_;
 };
 
 } // namespace pcl

@@ -37,7 +37,7 @@ template <typename PointInT>
 void
 NormalVectorVoting<PointInT>::computeFeature(PointCloudOut& output)
 {
-  acmap::VotingSettings settings = kernelSettings();
+  acmap::VotingSettings settings = this->settings();
   settings.radius = search_radius_;
   settings.compute_curvatures = compute_curvatures_;
   VotingReport report;

@@ -9,22 +9,35 @@
 #include <pcl/features/voting_types.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pcl::acmap {
 
-/** \brief Settings of \ref voteNormals; see NormalVectorVoting. */
-struct VotingSettings {
-  double radius = 0;          ///< geodesic radius, metres; 0: automatic
-  double crease_weight = 12;  ///< eps
-  double corner_weight = 0.3; ///< eta
-  bool paper = false;         ///< weights and votes of Page et al., without ours
-  bool compute_curvatures = false;
-  unsigned threads = 0; ///< 0: all
-};
-
 /** \brief eps and eta of Page et al. */
 inline constexpr double page_weight = 2;
+
+/** \brief Settings of \ref voteNormals; see NormalVectorVoting. */
+struct VotingSettings {
+  double radius = 0;                   ///< geodesic radius, metres; 0: automatic
+  std::optional<double> crease_weight; ///< eps; none: 12, with paper 2
+  std::optional<double> corner_weight; ///< eta; none: 0.3, with paper 2
+  bool paper = false; ///< weights and votes of Page et al., without ours
+  bool compute_curvatures = false;
+  unsigned threads = 0; ///< 0: all
+
+  double
+  creaseWeight() const
+  {
+    return crease_weight.value_or(paper ? page_weight : 12);
+  }
+
+  double
+  cornerWeight() const
+  {
+    return corner_weight.value_or(paper ? page_weight : 0.3);
+  }
+};
 
 /** \brief Principal curvatures at a vertex, 1/m; the first one has the larger
  * magnitude. */

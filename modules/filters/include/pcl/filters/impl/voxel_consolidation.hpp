@@ -1,7 +1,6 @@
 #pragma once
 
 #include <pcl/core/export.h>
-#include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/point_fields.h>
 #include <pcl/filters/impl/consolidation_kernel.h>
@@ -26,22 +25,6 @@ VoxelConsolidation<PointT>::setInputCloud(const PointCloudConstPtr& cloud)
 
 template <typename PointT>
 void
-VoxelConsolidation<PointT>::setVoxelSize(double size)
-{
-  acmap::requireInRange("voxel size", size, 0.0, 1e9, "m (0 = automatic)");
-  voxel_size_ = size;
-}
-
-template <typename PointT>
-void
-VoxelConsolidation<PointT>::setViewpoints(std::vector<Eigen::Vector3f> viewpoints)
-{
-  acmap::requireViewpoints(viewpoints);
-  viewpoints_ = std::move(viewpoints);
-}
-
-template <typename PointT>
-void
 VoxelConsolidation<PointT>::filter(PointCloud& output)
 {
   acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
@@ -59,17 +42,13 @@ VoxelConsolidation<PointT>::applyFilter(PointCloud& output)
                               sizeof(PointT),
                               indices_->size(),
                               indices_->data());
-  acmap::ConsolidationSettings settings;
-  settings.voxel_size = voxel_size_;
-  settings.keep_sources = keep_sources_;
-  settings.threads = threads_;
   ConsolidationReport report;
   const acmap::SensorView sensors = acmap::sensorsOf(*input_, *indices_, viewpoints_);
   const acmap::Consolidation consolidation =
       acmap::consolidatePoints(view,
                                sensors,
                                acmap::colorsOf(*input_),
-                               settings,
+                               settings(),
                                acmap::Progress(progress_),
                                report);
 
@@ -98,7 +77,7 @@ VoxelConsolidation<PointT>::keepSources(const PointLabels& representative_of,
 {
   SourceIndices sources;
   Indices voxel_of_point;
-  if (keep_sources_) {
+  if (getKeepSources()) {
     voxel_of_point.assign(input_->size(), -1);
     for (std::size_t i = 0; i < representative_of.size(); ++i)
       voxel_of_point[(*indices_)[i]] = representative_of[i];

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pcl::acmap {
@@ -16,10 +17,10 @@ namespace pcl::acmap {
 /** \brief Settings of \ref rectify; see EntropyRectification. */
 struct RectificationSettings {
   RectificationMode mode = RectificationMode::Guarded;
-  double bin_size = 0.1;         ///< metres, of the finest level
-  double entropy_weight = 1;     ///< factor of the weights of the levels
-  double projection_weight = -1; ///< mu; negative: 0 (Guarded), 0.1 (Paper)
-  double smoothing = -1;         ///< metres, sigma_XZ (Paper); negative: the bin size
+  double bin_size = 0.1;                   ///< metres, of the finest level
+  double entropy_weight = 1;               ///< factor of the weights of the levels
+  std::optional<double> projection_weight; ///< mu; none: 0 (Guarded), 0.1 (Paper)
+  std::optional<double> smoothing; ///< metres, sigma_XZ (Paper); none: the bin size
   OdometryNoise odometry;
   std::uint64_t seed = 1;
 };

@@ -17,8 +17,8 @@ template <typename PointT>
 void
 DepthPlaneSegmentation<PointT>::setMinArea(double area)
 {
-  acmap::requireInRange("minimum area", area, 0.0, 1e12, "m^2");
-  min_area_ = area;
+  acmap::requireInRange("minimum area", area, 0.0, 1e12, "m^2 (0 = automatic)");
+  settings_.min_area = area;
 }
 
 template <typename PointT>
@@ -48,11 +48,8 @@ DepthPlaneSegmentation<PointT>::segment(std::vector<PlanePatch>& patches)
   DepthPlaneReport report;
   acmap::PlaneClusters clusters;
   if (const auto seen = acmap::measureDepthView(picture->points(), picture->width()))
-    clusters = acmap::segmentDepthPlanes(seen->view,
-                                         seen->noise,
-                                         {min_area_, regularize_},
-                                         acmap::Progress(progress_),
-                                         report);
+    clusters = acmap::segmentDepthPlanes(
+        seen->view, seen->noise, settings_, acmap::Progress(progress_), report);
   else {
     clusters.labels.assign(picture->points().size(), -1);
     report.points = report.invalid_points = input_->size();

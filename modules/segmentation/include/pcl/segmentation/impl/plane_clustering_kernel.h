@@ -10,20 +10,22 @@
 #include <pcl/segmentation/plane_clustering_types.h>
 #include <pcl/types.h>
 
+#include <optional>
 #include <vector>
 
 namespace pcl::acmap {
 
 /** \brief Settings of \ref clusterPlanes; see PlaneHypothesisClustering. */
 struct PlaneClusteringSettings {
-  bool noise_driven = true;         ///< else the paper to the letter
-  double member_distance = 0.8;     ///< W_d, metres; unless noise-driven
-  double normal_angle = 0.39269908; ///< W_n, radians
-  double plane_distance = 0;        ///< W_t, metres; 0: by the noise, or the paper's
-  std::size_t min_support = 50;     ///< W_h; unless noise-driven
-  double min_area = 0;              ///< square metres; noise-driven; 0 is automatic
-  bool regular = false;             ///< rotate planes to be parallel or perpendicular
-  unsigned threads = 0;             ///< 0: all
+  bool noise_driven = true;                  ///< else the paper to the letter
+  double member_distance = 0.8;              ///< W_d, metres; unless noise-driven
+  double normal_angle = 0.39269908169872414; ///< W_n, radians
+  /** \brief W_t, metres; none: computed from the noise, or the paper's. */
+  std::optional<double> plane_distance;
+  std::size_t min_support = 50; ///< W_h; unless noise-driven
+  double min_area = 0;          ///< square metres; noise-driven; 0 is automatic
+  bool regular = false;         ///< rotate planes to be parallel or perpendicular
+  unsigned threads = 0;         ///< 0: all
 };
 
 /** \brief The paper's W_t, metres. */

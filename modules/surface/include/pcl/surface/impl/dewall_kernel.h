@@ -24,19 +24,10 @@ struct DeWallSettings {
   DeWallRule rule = DeWallRule::Paper;
   double maximum_edge_length = 0; ///< metres; 0: automatic
   bool compute_wall_depth = false;
-  unsigned threads = 0;         ///< 0: all
   std::size_t memory_limit = 0; ///< bytes without the input; 0: no limit
-  Eigen::Vector3d sensor_origin = Eigen::Vector3d::Zero();
-  bool is_single_view = false; ///< all points were measured from there
 
   /** Unit vector; if set, no sensor is known, and surfaces face their free space. */
   std::optional<Eigen::Vector3d> up;
-
-  /** Unit normals of the array under the points, towards the side from which they were
-   * measured; empty: unknown. */
-  PointView normals;
-
-  NeighbourDistances neighbours; ///< measures the spacing; empty: the tree does
 
   /** Halves with at most this number of points are not divided further; 0: 65536, with
    * Strict 1. The mesh depends on this number, so it must not depend on anything else,
@@ -44,15 +35,28 @@ struct DeWallSettings {
   std::int32_t leaf_size = 0;
 };
 
+/** \brief What a run of \ref triangulateDeWall is given beside its settings. */
+struct DeWallInput {
+  PointView points;
+  Eigen::Vector3d sensor_origin = Eigen::Vector3d::Zero();
+  bool is_single_view = false; ///< all points were measured from there
+
+  /** Unit normals of the array under the points, towards the side from which they were
+   * measured; empty: unknown. */
+  PointView normals = {};
+
+  NeighbourDistances neighbours = {}; ///< measures the spacing; empty: the tree does
+  unsigned threads = 0;               ///< 0: all
+};
+
 /** \brief The kernel of DeWallTriangulation, independent of PCL's point types.
- * \param[in] view the points
  * \param[out] report counts, seconds, remarks; it is reset first
- * \return index triples into the array under the view
+ * \return index triples into the array under the points
  * \throws MemoryLimitException when the estimate exceeds the memory limit
  * \throws CancelledException when the progress callback requested to stop
  * \ingroup surface */
 ACMAP_EXPORT TriangleMesh
-triangulateDeWall(const PointView& view,
+triangulateDeWall(const DeWallInput& input,
                   const DeWallSettings& settings,
                   const Progress& progress,
                   DeWallReport& report);

@@ -23,18 +23,19 @@ DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
   acmap::requireInput<PointInT>(input_, this->fake_indices_ ? nullptr : indices_.get());
   if (!this->initCompute())
     PCL_THROW_EXCEPTION(InitFailedException, "the input cloud was refused");
-  acmap::DeWallSettings settings = kernelSettings();
-  settings.sensor_origin =
+  acmap::DeWallInput input;
+  input.points = acmap::pointsOf(*input_, indices_.get());
+  input.sensor_origin =
       input_->sensor_origin_.template head<3>().template cast<double>();
-  const acmap::PointView view = acmap::pointsOf(*input_, indices_.get());
-  settings.normals = acmap::normalsOf(*input_);
-  settings.neighbours = givenSearch();
-  settings.is_single_view =
+  input.is_single_view =
       input_->isOrganized() && indices_->size() == input_->size() &&
-      acmap::isSingleView(view, input_->width, settings.sensor_origin);
+      acmap::isSingleView(input.points, input_->width, input.sensor_origin);
+  input.normals = acmap::normalsOf(*input_);
+  input.neighbours = givenSearch();
+  input.threads = threads_;
   DeWallReport report;
   TriangleMesh result =
-      acmap::triangulateDeWall(view, settings, acmap::Progress(progress_), report);
+      acmap::triangulateDeWall(input, settings(), acmap::Progress(progress_), report);
   this->deinitCompute();
   mesh = std::move(result);
   report_ = std::move(report);

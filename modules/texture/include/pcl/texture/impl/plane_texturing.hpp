@@ -80,7 +80,7 @@ void
 PlaneTexturing<PointT>::setTexelSize(double metres)
 {
   acmap::requireInRange("texel size", metres, 1e-4, 10, "m");
-  texel_size_ = metres;
+  settings_.texel_size = metres;
 }
 
 template <typename PointT>
@@ -88,7 +88,7 @@ void
 PlaneTexturing<PointT>::setMaximumDistance(double metres)
 {
   acmap::requireInRange("maximum distance", metres, 1e-6, 1e3, "m");
-  maximum_distance_ = metres;
+  settings_.maximum_distance = metres;
 }
 
 template <typename PointT>
@@ -96,7 +96,7 @@ void
 PlaneTexturing<PointT>::setMaximumTextureSize(int texels)
 {
   acmap::requireInRange("maximum texture size", texels, 16, 65500, "texels");
-  maximum_texture_size_ = texels;
+  settings_.maximum_texture_size = texels;
 }
 
 template <typename PointT>
@@ -104,20 +104,14 @@ void
 PlaneTexturing<PointT>::setFillDistance(int texels)
 {
   acmap::requireInRange("fill distance", texels, 0, 1000, "texels");
-  fill_distance_ = texels;
+  settings_.fill_distance = texels;
 }
 
 template <typename PointT>
 acmap::TexturingSettings
 PlaneTexturing<PointT>::settings() const
 {
-  acmap::TexturingSettings settings;
-  settings.texel_size = texel_size_;
-  settings.maximum_distance = maximum_distance_;
-  settings.maximum_texture_size = maximum_texture_size_;
-  settings.fill_distance = fill_distance_;
-  settings.correct_exposure = correct_exposure_;
-  settings.paper = paper_mode_;
+  acmap::TexturingSettings settings = settings_;
   settings.threads = threads_;
   return settings;
 }
