@@ -1,8 +1,8 @@
 #include "cloud_labels.h"
-#include "command_line.h"
 #include "length_check.h"
 #include "memory.h"
 #include "output_target.h"
+#include "setter_option.h"
 #include "stage_reports.h"
 #include "tool.h"
 
@@ -25,16 +25,13 @@ namespace {
 
 using namespace pcl::acmap;
 
-using Triangulation = pcl::DeWallTriangulation<pcl::PCLPointCloud2>;
-
 struct Options {
   std::string input;
   std::string output;
-  std::optional<double> voxel_size;
+  bool consolidates = false;
+  pcl::VoxelConsolidation<pcl::PCLPointCloud2> consolidation;
   pcl::DepthSensor sensor = pcl::DepthSensor::Automatic;
-  double maximum_edge_length = Triangulation().getMaximumEdgeLength();
-  pcl::DeWallRule rule = Triangulation().getAcceptanceRule();
-  bool wall_depth = Triangulation().getComputeWallDepth();
+  pcl::DeWallTriangulation<pcl::PCLPointCloud2> dewall;
 };
 
 void
@@ -47,35 +44,47 @@ addOptions(Tool& tool, Options& options)
   app.add_option("output", options.output, "Triangle mesh to write: .ply or .vtk")
       ->type_name("OUT")
       ->required();
-  tool.addLengthOrAuto("--consolidate",
-                       options.voxel_size,
-                       "First replace the points of each voxel by one on their plane; "
-                       "the voxel's edge in "
-                       "metres, or automatic from noise and spacing. For noisy clouds. "
-                       "Automatic: the steps of a depth camera's view are taken out in "
-                       "its picture instead");
+  tool.addLengthOrAuto(
+      "--consolidate",
+      [&](double voxel_size) {
+        options.consolidation.setVoxelSize(voxel_size);
+        options.consolidates = true;
+      },
+      "First replace the points of each voxel by one on their plane; "
+      "the voxel's edge in "
+      "metres, or automatic from noise and spacing. For noisy clouds. "
+      "Automatic: the steps of a depth camera's view are taken out in "
+      "its picture instead");
   tool.addSensor(options.sensor);
-  app.add_option("--max-edge",
-                 options.maximum_edge_length,
-                 "No edge is longer, in metres [default: automatic, from the spacing "
-                 "around each point; 2.5 voxels of a consolidated cloud]")
-      ->type_name("M")
-      ->default_str("")
-      ->check(positiveNumber().description(""));
-  addChoice<pcl::DeWallRule>(
+  using Triangulation = pcl::DeWallParameters;
+  addSetter(app,
+            "--max-edge",
+            options.dewall,
+            &Triangulation::setMaximumEdgeLength,
+            &Triangulation::getMaximumEdgeLength,
+            "No edge is longer, in metres [default: automatic, from the spacing "
+            "around each point; 2.5 voxels of a consolidated cloud]",
+            "M")
+      ->default_str("");
+  addSetterChoice(
       app,
       "--rule",
-      options.rule,
+      options.dewall,
+      &Triangulation::setAcceptanceRule,
+      &Triangulation::getAcceptanceRule,
       {{"paper", pcl::DeWallRule::Paper},
        {"dense", pcl::DeWallRule::Dense},
        {"strict", pcl::DeWallRule::Strict}},
       "paper: no point inside the smallest sphere through a triangle; dense: no such "
       "test, covers noisy surfaces better; strict: the paper's algorithm as printed, "
       "without our guard, for comparison: edges may have more than two triangles");
-  app.add_flag("--wall-depth",
-               options.wall_depth,
-               "Write with each triangle the depth of the dividing wall that made it "
-               "(.ply only)");
+  addSwitch(app,
+            "--wall-depth",
+            options.dewall,
+            &Triangulation::setComputeWallDepth,
+            true,
+            "Write with each triangle the depth of the dividing wall that made it "
+            "(.ply only)");
   tool.addThreads();
   tool.addScale();
 }
@@ -85,7 +94,7 @@ checkPlaces(const Tool& tool, const Options& options)
 {
   requireWritable(options.output, {".ply", ".vtk"}, {options.input});
   tool.requireReportWritable({options.input, options.output});
-  if (options.wall_depth && endingOf(options.output) != ".ply")
+  if (options.dewall.getComputeWallDepth() && endingOf(options.output) != ".ply")
     throw UsageError("--wall-depth needs an output that ends in .ply");
 }
 
@@ -123,22 +132,18 @@ scratchFor(const Options& options)
 }
 
 pcl::DeWallReport
-triangulate(const Options& options,
+triangulate(pcl::DeWallTriangulation<pcl::PCLPointCloud2>& dewall,
             const Input& input,
-            double maximum_edge_length,
             const RunControls& controls,
             pcl::TriangleMesh& mesh)
 {
-  requireMemory(estimateDeWallMemory(input.rows.size(), true, options.rule),
-                "triangulating this cloud");
-  pcl::DeWallTriangulation<pcl::PCLPointCloud2> dewall;
+  requireMemory(
+      estimateDeWallMemory(input.rows.size(), true, dewall.getAcceptanceRule()),
+      "triangulating this cloud");
   dewall.setInputCloud(input.rows);
   dewall.setSensorOrigin(input.file.sensor_origin);
   if (input.up)
     dewall.setUpDirection(*input.up);
-  dewall.setMaximumEdgeLength(maximum_edge_length);
-  dewall.setAcceptanceRule(options.rule);
-  dewall.setComputeWallDepth(options.wall_depth);
   dewall.setNumberOfThreads(controls.threads);
   dewall.setProgressCallback(controls.progress);
   dewall.reconstruct(mesh);
@@ -160,7 +165,7 @@ summarize(const Options& options, const pcl::DeWallReport& report, StageLog& log
           " of the finite, different ones)");
   log.tell("triangles", std::to_string(report.triangles));
   log.tell("components", std::to_string(report.components));
-  if (options.rule == pcl::DeWallRule::Strict)
+  if (options.dewall.getAcceptanceRule() == pcl::DeWallRule::Strict)
     log.tell("crowded",
              percent(report.crowded_edges, report.edges) +
                  " of the edges have more than two triangles");
@@ -177,14 +182,13 @@ consolidate(const Options& options,
             const RunControls& controls,
             StageLog& log)
 {
-  pcl::VoxelConsolidation<pcl::PCLPointCloud2> consolidation;
+  pcl::VoxelConsolidation<pcl::PCLPointCloud2> consolidation = options.consolidation;
   consolidation.setViewpoints(
       viewpointsOfFile(input.file, options.input, controls.scale, log));
   if (const auto sensor = sensorOf(input.file))
     consolidation.setSensorOrigin(*sensor);
-  if (*options.voxel_size > 0)
-    requireFineLength("--consolidate", *options.voxel_size, input.points(), log);
-  consolidation.setVoxelSize(*options.voxel_size);
+  if (const double voxel_size = consolidation.getVoxelSize(); voxel_size > 0)
+    requireFineLength("--consolidate", voxel_size, input.points(), log);
   consolidation.setNumberOfThreads(controls.threads);
   consolidation.setProgressCallback(controls.progress);
   consolidation.setInputCloud(input.rows);
@@ -218,7 +222,7 @@ refine(const Picture& picture, Input& input, const RunControls& controls, StageL
 std::optional<Picture>
 pictureOfFile(const Options& options, const Input& input)
 {
-  const bool is_automatic = options.voxel_size.value_or(0) == 0;
+  const bool is_automatic = options.consolidation.getVoxelSize() == 0;
   try {
     return is_automatic
                ? pictureOf(input.points(), input.rows.layout().width, options.sensor)
@@ -242,24 +246,23 @@ meshCloud(const Options& options, const RunControls& controls, StageLog& log)
   timer.finish("read");
   stopIfInterrupted();
 
-  double maximum_edge_length = options.maximum_edge_length;
+  pcl::DeWallTriangulation<pcl::PCLPointCloud2> dewall = options.dewall;
   const std::optional<Picture> picture = pictureOfFile(options, input);
-  if (picture && options.voxel_size) {
+  if (picture && options.consolidates) {
     refine(*picture, input, controls, log);
     timer.finish("refine");
   }
-  else if (options.voxel_size) {
+  else if (options.consolidates) {
     const double voxel_size = consolidate(options, input, controls, log);
     timer.finish("consolidate");
-    if (maximum_edge_length == 0)
-      maximum_edge_length = pcl::mesh_edge_in_voxels * voxel_size;
+    if (dewall.getMaximumEdgeLength() == 0)
+      dewall.setMaximumEdgeLength(pcl::mesh_edge_in_voxels * voxel_size);
   }
   else if (picture && measureDepthStep(input.points()) > 0)
     log.warn("the depth is quantised, and the mesh shows its steps: --consolidate "
              "takes them out");
   pcl::TriangleMesh mesh;
-  const pcl::DeWallReport report =
-      triangulate(options, input, maximum_edge_length, controls, mesh);
+  const pcl::DeWallReport report = triangulate(dewall, input, controls, mesh);
   timer.finish("triangulate");
   log.warn(input.file.remarks);
   log.warn(report.remarks);

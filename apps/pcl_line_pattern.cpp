@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -35,8 +36,7 @@ addOptions(Tool& tool, PatternOptions& options)
       ->check(CLI::Range(1, 1000).description(""));
   app.add_option("--size", options.size, "Width and height of the projector, pixels")
       ->type_name("WxH");
-  addPatternLook(app, options);
-  tool.addSeed(options.seed);
+  addPatternLook(tool, options);
   CLI::Option* const show =
       app.add_flag("--show",
                    options.show,
@@ -49,8 +49,7 @@ addOptions(Tool& tool, PatternOptions& options)
   app.add_option("--hold", options.hold, "How long each pattern stays, seconds")
       ->type_name("SECONDS")
       ->needs(show)
-      ->check(positiveNumber().description(""))
-      ->check(CLI::Range(0.0, 86400.0).description(""));
+      ->check(positiveNumber(86400).description(""));
 }
 
 /** \brief Decides if the output is a folder or a picture, which has one pattern. */
@@ -133,20 +132,22 @@ tellResults(const PatternOptions& options,
             StageLog& log)
 {
   const double coverage = totals.coverage / options.patterns;
+  constexpr double degrees = 180 / 3.14159265358979323846, digits = 1e6;
+  const double angle = degrees * generator.getMinimumAngle();
   log.details = {{"output", options.output},
                  {"width", generator.getWidth()},
                  {"height", generator.getHeight()},
-                 {"lines", options.lines},
-                 {"colored", !options.grey},
-                 {"minimum_angle_degrees", options.minimum_angle},
-                 {"seed", options.seed},
+                 {"lines", generator.getNumberOfLines()},
+                 {"colored", generator.getColored()},
+                 {"minimum_angle_degrees", std::round(digits * angle) / digits},
+                 {"seed", generator.getSeed()},
                  {"coverage", coverage},
                  {"redraws", totals.redraws},
                  {"patterns", totals.patterns}};
   log.tell("patterns",
            std::to_string(options.patterns) + ", " +
                sizeText(generator.getWidth(), generator.getHeight()) + " px, " +
-               std::to_string(options.lines) + " lines each");
+               std::to_string(generator.getNumberOfLines()) + " lines each");
   log.tell("coverage", shortNumber(100 * coverage) + " %");
   log.tell("side lobes",
            "at most " + shortNumber(totals.row_side_lobe) + " along rows, " +

@@ -130,7 +130,7 @@ run(const Options& options, const RunControls& controls, StageLog& log)
       loadScaledCloud(options.input, controls.scale));
   pcl::TriangleMesh triangles;
   const std::string ending = endingOf(options.input);
-  if (!options.voxel_size && (ending == ".ply" || ending == ".obj"))
+  if (!options.consolidates() && (ending == ".ply" || ending == ".obj"))
     triangles = pcl::loadTriangleMesh(options.input);
   std::vector<Eigen::Vector3f> viewpoints;
   if (triangles.triangles.empty())
@@ -179,7 +179,7 @@ main(int argc, char** argv)
   addOptions(tool, options);
   return tool.run(argc, argv, [&] {
     checkOptions(tool, options);
-    options.keeps_mesh = !options.normals.empty() || !options.picture.empty();
+    options.stage.setComputeMesh(!options.normals.empty() || !options.picture.empty());
     run(options, tool.controls(), tool.log());
   });
 }

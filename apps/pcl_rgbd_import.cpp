@@ -80,8 +80,7 @@ addPositive(CLI::App& app,
 {
   return app.add_option(name, value, purpose)
       ->type_name(type)
-      ->check(positiveNumber().description(""))
-      ->check(CLI::Range(1e-6, 1e6).description(""));
+      ->check(numberWithin(1e-6, 1e6).description(""));
 }
 
 void

@@ -171,7 +171,8 @@ addOptions(Tool& tool, SimulationOptions& options)
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
   addFrameOptions(app, options);
   addCloudOptions(app, options);
-  tool.addSeed(options.settings.seed);
+  tool.addSeed(options.settings.seed,
+               [&](std::uint64_t seed) { options.settings.seed = seed; });
   tool.addThreads();
 }
 

@@ -110,25 +110,23 @@ setUpStereo(const TrinocularRig& rig,
             DisparityFusion& fusion,
             DisparityBackProjection& projection)
 {
-  const SearchRange range = disparitiesBetween(rig, options.nearest, options.farthest);
+  const double nearest = options.projection.getMinimumDepth();
+  const double farthest = options.projection.getMaximumDepth();
+  const SearchRange range = disparitiesBetween(rig, nearest, farthest);
   requireMemory(disparityMemory(rig, range),
                 std::to_string(range.count) + " disparities of " + sizeText(rig) +
                     " pixels");
-  TrinocularMatching matching;
+  TrinocularMatching matching = options.matching;
   matching.setXOffset(range.minimum);
   matching.setMaxDisparity(range.count);
-  if (options.correlation)
-    matching.setCorrelationThreshold(*options.correlation);
-  if (options.texture)
-    matching.setPeakFilter(*options.texture);
   fusion.setMatching(matching);
   fusion.setInputRig(rig);
   fusion.setMethod(disparityFusionMethod(options.method));
   fusion.setPassive(options.isPassive());
   fusion.setNumberOfThreads(threads);
   projection.setInputRig(rig);
-  projection.setMinimumDepth(options.nearest);
-  projection.setMaximumDepth(options.farthest);
+  projection.setMinimumDepth(nearest);
+  projection.setMaximumDepth(farthest);
   projection.setNumberOfThreads(threads);
   return range;
 }

@@ -1,6 +1,6 @@
 #include "stereo_options.h"
 
-#include "command_line.h"
+#include "setter_option.h"
 
 #include <pcl/core/output_folder.h>
 
@@ -105,34 +105,37 @@ addStereoChoices(CLI::App& app, StereoOptions& options)
       "how shots are fused: spacetime (all at once), median (of the shots' own "
       "disparities, as the paper) or statistical (mean of those that agree)")
       ->each([&](const std::string&) { options.has_method = true; });
-  const auto depth = [&](const char* name, double& value, const char* purpose) {
-    app.add_option(name, value, purpose)
-        ->type_name("M")
-        ->check(positiveNumber().description(""))
-        ->check(CLI::Range(0.01, 1e4).description(""));
-  };
-  depth("--min-depth",
-        options.nearest,
-        "Depth from which on points are searched for, metres; nearer ones take longer");
-  depth("--max-depth",
-        options.farthest,
-        "Depth up to which points are searched for, metres");
-  app.add_option(
-         "--min-correlation",
-         options.correlation,
-         "Least correlation (ZNCC) of a match, -1 to 1 [default: by the number of "
-         "shots, -1 without a pattern]")
-      ->type_name("C")
-      ->check(CLI::Range(-1.0, 1.0).description(""));
-  app.add_option(
-         "--min-texture",
-         options.texture,
-         "Least standard deviation of a pixel's grey levels over the shots, or, with "
-         "one or two shots, over the pixels around it, 0 to 128: what the projector "
-         "does not reach has less [default: by the number of shots, 0 without a "
-         "pattern]")
-      ->type_name("L")
-      ->check(CLI::Range(0.0, 128.0).description(""));
+  addSetter(
+      app,
+      "--min-depth",
+      options.projection,
+      &DisparityBackProjection::setMinimumDepth,
+      &DisparityBackProjection::getMinimumDepth,
+      "Depth from which on points are searched for, metres; nearer ones take longer",
+      "M");
+  addSetter(app,
+            "--max-depth",
+            options.projection,
+            &DisparityBackProjection::setMaximumDepth,
+            &DisparityBackProjection::getMaximumDepth,
+            "Depth up to which points are searched for, metres",
+            "M");
+  addSetter<double>(
+      app,
+      "--min-correlation",
+      [&](double least) { options.matching.setCorrelationThreshold(least); },
+      "Least correlation (ZNCC) of a match, -1 to 1 [default: by the number of "
+      "shots, -1 without a pattern]",
+      "C");
+  addSetter<double>(
+      app,
+      "--min-texture",
+      [&](double least) { options.matching.setPeakFilter(least); },
+      "Least standard deviation of a pixel's grey levels over the shots, or, with "
+      "one or two shots, over the pixels around it, 0 to 128: what the projector "
+      "does not reach has less [default: by the number of shots, 0 without a "
+      "pattern]",
+      "L");
 }
 
 void
@@ -178,9 +181,11 @@ requireStereoSense(const StereoOptions& options)
   if (options.unlit && options.has_method)
     throw UsageError("--method says how shots under patterns are fused; with --unlit "
                      "there is nothing to fuse");
-  if (options.nearest >= options.farthest)
-    throw UsageError("--min-depth " + shortNumber(options.nearest) +
-                     " is not below --max-depth " + shortNumber(options.farthest));
+  const double nearest = options.projection.getMinimumDepth();
+  const double farthest = options.projection.getMaximumDepth();
+  if (nearest >= farthest)
+    throw UsageError("--min-depth " + shortNumber(nearest) +
+                     " is not below --max-depth " + shortNumber(farthest));
 }
 
 void

@@ -3,11 +3,21 @@
 #include "tool.h"
 
 #include <pcl/acquisition/trinocular_file_grabber.h>
+#include <pcl/stereo/disparity_back_projection.h>
+#include <pcl/stereo/trinocular_matching.h>
 
 namespace pcl::acmap {
 
 /** \brief Options of the user. */
 struct StereoOptions {
+  /** \brief Sets the depths for rooms: nearer points take longer. */
+  StereoOptions()
+  {
+    constexpr double nearest = 0.5, farthest = 10; // metres
+    projection.setMinimumDepth(nearest);
+    projection.setMaximumDepth(farthest);
+  }
+
   std::string session; ///< folder; empty without a session
   TrinocularImageLists images;
   std::string rig;      ///< of the image lists
@@ -17,12 +27,10 @@ struct StereoOptions {
   bool unlit = false;   ///< only the shots without a pattern of a session are used
   std::string output;
   std::string method = "spacetime";
-  bool has_method = false;           ///< whether the method was given
-  double nearest = 0.5;              ///< metres
-  double farthest = 10;              ///< metres
-  std::optional<double> correlation; ///< minimum ZNCC
-  std::optional<double> texture;     ///< grey levels, one standard deviation
-  std::string poses;                 ///< trajectory; empty: none
+  bool has_method = false; ///< whether the method was given
+  TrinocularMatching matching;
+  DisparityBackProjection projection; ///< without rig
+  std::string poses;                  ///< trajectory; empty: none
   bool disparity = false;
   bool goes_on = false; ///< continue an interrupted run
 

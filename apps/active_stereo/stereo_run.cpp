@@ -145,8 +145,8 @@ public:
   {
     const SearchRange& range = fusion_.range();
     // it is above the requested one if image or matcher limit the disparities
-    const double nearest =
-        std::max(options_.nearest, depthOf(source_.rig(), range.maximum()));
+    const double nearest = std::max(options_.projection.getMinimumDepth(),
+                                    depthOf(source_.rig(), range.maximum()));
     log.details = {
         {"input", options_.hasLists() ? options_.rig : options_.session},
         {"output", options_.output},
@@ -155,7 +155,7 @@ public:
         {"least_disparity", range.minimum},
         {"most_disparity", range.maximum()},
         {"least_depth", nearest},
-        {"most_depth", options_.farthest},
+        {"most_depth", options_.projection.getMaximumDepth()},
         {"has_poses", !options_.poses.empty()},
         {"points", results_.points},
         {"matched_share", results_.matchedShare()},
@@ -173,7 +173,7 @@ public:
     log.tell("searched",
              std::to_string(range.minimum) + " to " + std::to_string(range.maximum()) +
                  " px, depths of " + shortNumber(nearest) + " to " +
-                 shortNumber(options_.farthest) + " m");
+                 shortNumber(farthest) + " m");
     results_.tellPoints(log);
     if (!options_.hasLists())
       log.tell("poses", options_.poses.empty() ? "none" : options_.poses);

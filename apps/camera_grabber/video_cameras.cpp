@@ -154,8 +154,7 @@ addOwnOptions(CLI::App& app, CameraOptions& options)
                  "still, grey levels; 255 for no check [default: 4]")
       ->type_name("LEVELS")
       ->default_str("")
-      ->check(positiveNumber().description(""))
-      ->check(CLI::Range(0.0, 255.0).description(""));
+      ->check(positiveNumber(255).description(""));
 }
 
 /** \brief A device file of a camera, and its name. */

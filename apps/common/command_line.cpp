@@ -6,7 +6,9 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <sstream>
 
 namespace pcl::acmap {
 namespace {
@@ -196,14 +198,44 @@ nameAmong(const std::vector<std::string>& names)
 }
 
 CLI::Validator
-positiveNumber()
+positiveNumber(double maximum)
 {
   return CLI::Validator(
-      [](std::string& text) -> std::string {
+      [maximum](std::string& text) -> std::string {
         double value = 0;
-        if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0)
+        if (CLI::detail::lexical_cast(text, value) && value > 0 && value <= maximum)
           return {};
-        return text + " is not a number above 0";
+        std::ostringstream limit;
+        if (maximum < std::numeric_limits<double>::max())
+          limit << " and up to " << maximum;
+        return text + " is not a number above 0" + limit.str();
+      },
+      "NUMBER");
+}
+
+CLI::Validator
+numberWithin(double minimum, double maximum)
+{
+  return CLI::Validator(
+      [minimum, maximum](std::string& text) -> std::string {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && value >= minimum &&
+            value <= maximum)
+          return {};
+        std::ostringstream fault;
+        fault << text << " is not a number from " << minimum << " to " << maximum;
+        return fault.str();
+      },
+      "NUMBER");
+}
+
+CLI::Validator
+wholeNumber()
+{
+  return CLI::Validator(
+      [](const std::string& text) {
+        return text.rfind('-', 0) == 0 ? text + " is no whole number from 0 on"
+                                       : std::string();
       },
       "NUMBER");
 }

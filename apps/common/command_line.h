@@ -4,6 +4,8 @@
 #include <CLI/Validators.hpp>
 
 #include <array>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,13 +52,15 @@ CLI::Validator
 nameAmong(const std::vector<std::string>& names);
 
 /** \brief Adds an option whose value is chosen by its name.
- * \param[in,out] value the default, then the choice
+ * \param[in] preset the default
+ * \param[in] take is called with the choice
  * \param[in] choices names and values, in the order of the help */
 template <typename Value>
 CLI::Option*
 addChoice(CLI::App& app,
           const std::string& option,
-          Value& value,
+          const Value& preset,
+          const std::function<void(const Value&)>& take,
           const std::vector<std::pair<std::string, Value>>& choices,
           const std::string& description)
 {
@@ -64,13 +68,13 @@ addChoice(CLI::App& app,
   std::string default_name;
   for (const auto& [name, chosen] : choices) {
     names.push_back(name);
-    if (chosen == value)
+    if (chosen == preset)
       default_name = name;
   }
-  const auto choose = [&value, choices](const std::string& text) {
+  const auto choose = [take, choices](const std::string& text) {
     for (const auto& [name, chosen] : choices)
       if (name == text)
-        value = chosen;
+        take(chosen);
   };
   return app
       .add_option_function<std::string>(
@@ -80,9 +84,35 @@ addChoice(CLI::App& app,
       ->check(nameAmong(names));
 }
 
-/** \brief Accepts finite numbers above zero. */
+/** \brief The same for a variable, which is the default and gets the choice. */
+template <typename Value>
+CLI::Option*
+addChoice(CLI::App& app,
+          const std::string& option,
+          Value& value,
+          const std::vector<std::pair<std::string, Value>>& choices,
+          const std::string& description)
+{
+  return addChoice<Value>(
+      app,
+      option,
+      value,
+      [&value](const Value& chosen) { value = chosen; },
+      choices,
+      description);
+}
+
+/** \brief Accepts finite numbers above zero, up to a maximum. */
 CLI::Validator
-positiveNumber();
+positiveNumber(double maximum = std::numeric_limits<double>::max());
+
+/** \brief Accepts numbers of a range; CLI::Range accepts NaN, too. */
+CLI::Validator
+numberWithin(double minimum, double maximum);
+
+/** \brief Refuses negative numbers, which would wrap round to large ones. */
+CLI::Validator
+wholeNumber();
 
 /** \brief Converts a size such as 500MB (powers of ten) to a number of bytes above
  * zero. */

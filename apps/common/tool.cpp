@@ -4,6 +4,7 @@
 #include "input_kind.h"
 #include "memory.h"
 #include "output_target.h"
+#include "setter_option.h"
 
 #include <pcl/console/print.h>
 #include <pcl/core/build_config.h>
@@ -199,16 +200,13 @@ Tool::addThreads()
 }
 
 void
-Tool::addSeed(std::uint64_t& seed)
+Tool::addSeed(std::uint64_t preset, const std::function<void(std::uint64_t)>& set)
 {
-  // A negative number would wrap round to a large one.
-  const auto fault = [](const std::string& text) {
-    return text.rfind('-', 0) == 0 ? text + " is no whole number from 0 on"
-                                   : std::string();
-  };
-  app_->add_option("--seed", seed, "Number that all randomness begins with")
+  app_->add_option_function<std::uint64_t>(
+          "--seed", set, "Number that all randomness begins with")
       ->type_name("N")
-      ->check(CLI::Validator(fault, ""));
+      ->default_str(std::to_string(preset))
+      ->check(wholeNumber().description(""));
 }
 
 void
@@ -241,23 +239,17 @@ Tool::addSensor(DepthSensor& sensor)
 
 void
 Tool::addLengthOrAuto(const std::string& name,
-                      std::optional<double>& length,
+                      const std::function<void(double)>& set,
                       const std::string& description)
 {
   automatic_options_.push_back(name);
-  app_->add_option_function<std::string>(
-          name,
-          [&length](const std::string& text) {
-            length = text == "auto" ? 0.0 : std::stod(text);
-          },
-          description)
-      ->type_name("[M|auto]")
-      ->default_str("")
-      ->check(CLI::Validator(
-          [](std::string& text) {
-            return text == "auto" ? std::string() : positiveNumber()(text);
-          },
-          ""));
+  const std::function<void(std::string)> take = [name, set](const std::string& text) {
+    double length = 0;
+    if (text != "auto" && !CLI::detail::lexical_cast(text, length))
+      throw CLI::ConversionError(text, name);
+    set(length);
+  };
+  addSetter(*app_, name, take, description, "[M|auto]");
 }
 
 int

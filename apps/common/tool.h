@@ -64,9 +64,11 @@ public:
   void
   addThreads();
 
-  /** \brief Adds `--seed`. */
+  /** \brief Adds `--seed`.
+   * \param[in] preset the default
+   * \param[in] set is called with the seed that is given */
   void
-  addSeed(std::uint64_t& seed);
+  addSeed(std::uint64_t preset, const std::function<void(std::uint64_t)>& set);
 
   /** \brief Adds `--scale`. */
   void
@@ -77,11 +79,11 @@ public:
   addSensor(DepthSensor& sensor);
 
   /** \brief Adds an option whose value is a length, `auto`, or left out.
-   * \param[out] length metres, 0 for automatic; not set where the option is not
-   * given */
+   * \param[in] set is called with the length in metres, 0 for automatic, if the option
+   * is given; its BadArgumentException is a fault of usage */
   void
   addLengthOrAuto(const std::string& name,
-                  std::optional<double>& length,
+                  const std::function<void(double)>& set,
                   const std::string& description);
 
   /** \brief From now on, nothing is printed or reported: another process of this run does. */

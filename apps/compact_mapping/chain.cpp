@@ -160,9 +160,9 @@ Chain::sequenceFrom(StartingPoint start,
     sequence.posed = findPoses(observations, scale);
   if (recorded)
     sequence.posed = sequence.posed->withShift(scale * recorded->shift());
-  const RectificationOptions& rectification = options_.rectification;
-  OdometryNoise noise = rectification.odometry;
-  if (poses_.noise && !rectification.has_odometry_noise)
+  const auto& rectification = options_.rectification.stage;
+  OdometryNoise noise = rectification.getOdometryNoise();
+  if (poses_.noise && !rectification.hasOdometryNoise())
     noise = *poses_.noise;
   if (!options_.earlier.empty())
     sequence.posed = extend(*sequence.posed);
@@ -170,7 +170,7 @@ Chain::sequenceFrom(StartingPoint start,
   sequence.is_rectified = options_.rectifies && has_several;
   if (sequence.is_rectified)
     sequence.posed = rectify(observations, *sequence.posed, noise, scale);
-  if (options_.egomotion.is_rigid && has_several)
+  if (options_.egomotion.isRigid() && has_several)
     sequence.posed =
         adjust(observations, *sequence.posed, sequence.is_rectified, noise, scale);
   sequence.up = poses_.up;
@@ -240,8 +240,7 @@ Chain::extend(const ObservationSequence& posed)
         StepTimer timer(log.report);
         SequenceAlignment alignment;
         alignment.setInputTarget(earlier);
-        alignment.setMotionModel(options_.egomotion.is_rigid ? MotionModel::Rigid
-                                                             : MotionModel::Planar);
+        alignment.setMotionModel(options_.egomotion.stage.getMotionModel());
         alignment.setNumberOfThreads(controls_.threads);
         alignment.setProgressCallback(controls_.progress);
         EstimatedPoses poses =
@@ -263,8 +262,7 @@ Chain::rectify(const std::string& observations,
   rectification.output = folderOf("rectification");
   rectification.write_map = false;
   rectification.skip_broken = options_.texture.skip_broken;
-  rectification.odometry = noise;
-  rectification.has_odometry_noise = true;
+  rectification.stage.setOdometryNoise(noise);
   if (!posed.shift().isZero(0) && !rectification.up)
     rectification.up = Eigen::Vector3d::UnitZ(); // of a surveyed grid
   return runPoses("rectification",

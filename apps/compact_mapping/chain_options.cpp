@@ -161,14 +161,14 @@ takePaperWay(Tool& tool, ChainOptions& options)
   for (const char* name :
        {"--6dof", "--max-translation", "--max-rotation", "--keypoints"})
     refuse(name);
-  refuse("--mode", options.rectification.mode != RectificationMode::Paper);
+  refuse("--mode", options.rectification.stage.getMode() != RectificationMode::Paper);
   refuse("--odometry-noise");
   refuse("--max-distance");
   refuse("--fill");
   options.stereo.method = "median";
-  options.egomotion.paper = true;
-  options.rectification.mode = RectificationMode::Paper;
-  options.texture.paper = true;
+  options.egomotion.stage.setPaperMode(true);
+  options.rectification.stage.setMode(RectificationMode::Paper);
+  options.texture.stage.setPaperMode(true);
 }
 
 void

@@ -18,7 +18,6 @@ struct ChainOptions {
   ChainOptions()
   {
     planes.primitives_by_default = true;
-    planes.keeps_mesh = true;
   }
 
   std::string input;

@@ -92,18 +92,18 @@ LiveMap::setUp(const TrinocularRig& rig, unsigned threads)
   setUpStereo(
       rig, options_.stereo, threads, mapping_.fusion(), mapping_.backProjection());
   VisualOdometry odometry;
-  odometry.setEgomotion(egomotionOf(options_.egomotion));
+  odometry.setEgomotion(options_.egomotion.stage);
   mapping_.setVisualOdometry(odometry);
   CompactMapping::Levelling levelling;
   if (options_.rectification.up)
     levelling.setUpDirection(*options_.rectification.up);
   mapping_.setLevelling(levelling);
-  mapping_.setRectification(rectificationOf(options_.rectification));
+  mapping_.setRectification(options_.rectification.stage);
   mapping_.setRectify(options_.rectifies);
-  mapping_.setAdjust(options_.egomotion.is_rigid);
+  mapping_.setAdjust(options_.egomotion.isRigid());
   mapping_.setMerging(mergingOf(options_, threads));
   mapping_.setPlaneMapping(mappingOf(options_.planes, threads));
-  mapping_.setTexturing(texturingOf(options_.texture, threads));
+  mapping_.setTexturing(options_.texture.stage);
 }
 
 void

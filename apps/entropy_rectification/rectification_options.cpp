@@ -1,6 +1,6 @@
 #include "rectification_options.h"
 
-#include "command_line.h"
+#include "setter_option.h"
 
 #include <CLI/CLI.hpp>
 
@@ -11,6 +11,8 @@ namespace pcl::acmap {
 
 namespace {
 
+using Rectification = EntropyRectification<PointNormal>;
+
 void
 addInputs(Tool& tool, RectificationOptions& options)
 {
@@ -20,9 +22,12 @@ addInputs(Tool& tool, RectificationOptions& options)
              "posed", options.folder, "Folder of observation PCDs with their poses")
           ->type_name("POSED_DIR");
   CLI::Option* const log =
-      app.add_option(
+      app.add_option_function<std::string>(
              "--carmen",
-             options.log,
+             [&options](const std::string& log) {
+               options.log = log;
+               options.stage.setBinSize(Rectification().getBinSize()); // before --bin
+             },
              "Laser log of CARMEN instead, also as .gz; its FLASER messages are "
              "taken, in metres")
           ->type_name("LOG")
@@ -48,20 +53,17 @@ addOdometryNoise(CLI::App& app, RectificationOptions& options)
 {
   const auto take = [&options](const std::vector<double>& values) {
     constexpr double degree = 3.14159265358979323846 / 180;
-    options.odometry = {values[0], 0, values[1] * degree, 0};
-    options.has_odometry_noise = true;
+    options.stage.setOdometryNoise({values[0], 0, values[1] * degree, 0});
   };
-  app.add_option_function<std::vector<double>>(
-         "--odometry-noise",
-         take,
-         "What the way from a pose to the next errs by, one standard deviation, metres "
-         "and degrees, as pcl_visual_egomotion tells it [default: that of wheels, 5 mm "
-         "+ 3 % and 0.34 degrees + 2 %]")
-      ->expected(2)
-      ->type_name("M DEG")
-      ->default_str("")
-      ->check(positiveNumber().description(""))
-      ->check(CLI::Range(1e-6, 1e3).description(""));
+  addSetter<std::vector<double>>(
+      app,
+      "--odometry-noise",
+      take,
+      "What the way from a pose to the next errs by, one standard deviation, metres "
+      "and degrees, as pcl_visual_egomotion tells it [default: that of wheels, 5 mm "
+      "+ 3 % and 0.34 degrees + 2 %]",
+      "M DEG")
+      ->expected(2);
 }
 
 /** The direction of x, -x, y, -y, z or -z, or of three numbers with commas.
@@ -97,19 +99,23 @@ void
 addRectificationChoices(Tool& tool, RectificationOptions& options)
 {
   CLI::App& app = tool.options();
-  addChoice<RectificationMode>(
+  addSetterChoice(
       app,
       "--mode",
-      options.mode,
+      options.stage,
+      &Rectification::setMode,
+      &Rectification::getMode,
       {{"guarded", RectificationMode::Guarded}, {"paper", RectificationMode::Paper}},
       "guarded: descent, taken only where independent evidence agrees; paper: the "
       "paper's voting, taken as it comes");
-  app.add_option(
-         "--bin", options.asked_bin_size, "Edge of the entropy's finest bins, metres")
-      ->type_name("M")
-      ->default_str("0.05, of a log 0.1")
-      ->check(positiveNumber().description(""))
-      ->check(CLI::Range(1e-3, 1e3).description(""));
+  addSetter(app,
+            "--bin",
+            options.stage,
+            &Rectification::setBinSize,
+            &Rectification::getBinSize,
+            "Edge of the entropy's finest bins, metres",
+            "M")
+      ->default_str("0.05, of a log 0.1");
   addOdometryNoise(app, options);
   app.add_option_function<std::string>(
          "--up",
@@ -119,18 +125,20 @@ addRectificationChoices(Tool& tool, RectificationOptions& options)
          "walls]")
       ->type_name("DIRECTION")
       ->default_str("");
-  tool.addSeed(options.seed);
+  tool.addSeed(options.stage.getSeed(),
+               [&options](std::uint64_t seed) { options.stage.setSeed(seed); });
 }
 
 void
 requireSense(const RectificationOptions& options)
 {
-  if (!options.smoothing)
+  const std::optional<double>& smoothing = options.stage.getSmoothing();
+  if (!smoothing)
     return;
-  if (options.mode != RectificationMode::Paper)
+  if (options.stage.getMode() != RectificationMode::Paper)
     throw UsageError("--smoothing needs --mode paper");
   constexpr double max_bins = 100;
-  if (!(*options.smoothing <= max_bins * options.binSize()))
+  if (*smoothing > max_bins * options.stage.getBinSize())
     throw UsageError("--smoothing is more than 100 bins");
 }
 
@@ -145,14 +153,14 @@ addOptions(Tool& tool, RectificationOptions& options)
                 "Then adjust all poses in six degrees of freedom, so that planes which "
                 "several observations see become thin")
       ->excludes("--carmen");
-  tool.options()
-      .add_option("--smoothing",
-                  options.smoothing,
-                  "With --mode paper, standard deviation sigma_XZ of the Gaussian that "
-                  "smooths the bins, metres; 0 for none")
-      ->type_name("M")
-      ->default_str("the bin size")
-      ->check(CLI::Range(0.0, 1e3).description(""));
+  addSetter<double>(
+      tool.options(),
+      "--smoothing",
+      [&options](double sigma) { options.stage.setSmoothing(sigma); },
+      "With --mode paper, standard deviation sigma_XZ of the Gaussian that "
+      "smooths the bins, metres; 0 for none",
+      "M")
+      ->default_str("the bin size");
   tool.addThreads();
 }
 

@@ -20,25 +20,20 @@ struct RectificationOptions {
   std::string folder; ///< of posed observations; empty with a log
   std::string log;    ///< CARMEN log; empty with a folder
   std::string output;
-  std::size_t every = 1; ///< step between the scans of the log
-  RectificationMode mode = RectificationMode::Guarded;
-  std::uint64_t seed = 1;
-  OdometryNoise odometry;
-  bool has_odometry_noise = false;      ///< true if the user set it
-  std::optional<Eigen::Vector3d> up;    ///< of the input; found if it is not set
-  std::optional<double> asked_bin_size; ///< metres
-  std::optional<double> smoothing;      ///< metres, sigma_XZ of mode Paper
-  bool six_degrees = false;             ///< adjust by planes after the entropy
+  std::size_t every = 1;                   ///< step between the scans of the log
+  EntropyRectification<PointNormal> stage; ///< without observations
+  std::optional<Eigen::Vector3d> up;       ///< of the input; found if it is not set
+  bool six_degrees = false;                ///< adjust by planes after the entropy
   bool write_observations = false;
   bool write_map = true;    ///< write map.pcd with all points
   bool skip_broken = false; ///< leave out observations that cannot be read
 
-  /** \brief Bin size, metres: smaller for cameras, which see walls from a shorter
-   * distance and in more detail than laser scanners. */
-  double
-  binSize() const
+  /** \brief Sets the bins for cameras, which see walls from a shorter distance and in
+   * more detail than laser scanners, for which the class has its default. */
+  RectificationOptions()
   {
-    return asked_bin_size.value_or(log.empty() ? 0.05 : 0.1);
+    constexpr double bin_of_cameras = 0.05; // metres
+    stage.setBinSize(bin_of_cameras);
   }
 
   /** \brief The folder or the log. */
@@ -61,10 +56,6 @@ addRectificationChoices(Tool& tool, RectificationOptions& options);
  * the bin size permits */
 void
 requireSense(const RectificationOptions& options);
-
-/** \brief The rectification with these options, without observations. */
-EntropyRectification<PointNormal>
-rectificationOf(const RectificationOptions& options);
 
 /** \brief Rectifies a map and writes it into a folder: the complete work of
  * pcl_entropy_rectification.

@@ -60,9 +60,9 @@ detailsOf(const RectificationOptions& options, const EntropyRectificationReport&
 {
   Json details = {{"input", options.input()},
                   {"output", options.output},
-                  {"mode", nameIn(rectification_mode_names, options.mode)},
-                  {"bin_size", options.binSize()},
-                  {"seed", options.seed}};
+                  {"mode", nameIn(rectification_mode_names, options.stage.getMode())},
+                  {"bin_size", options.stage.getBinSize()},
+                  {"seed", options.stage.getSeed()}};
   details.update(fieldsOf(report,
                           {{"reason", outcomeName(report.outcome)},
                            {"votes"},
@@ -157,7 +157,8 @@ level(const RectificationOptions& options,
   MapLevelling<PointNormal> levelling;
   if (options.up)
     levelling.setUpDirection(*options.up);
-  else if (observations.files.empty() || options.mode == RectificationMode::Paper)
+  else if (observations.files.empty() ||
+           options.stage.getMode() == RectificationMode::Paper)
     levelling.setUpDirection(-Eigen::Vector3d::UnitY());
   const MapLevellingReport report =
       levelObservations(levelling, observations, controls.threads);
@@ -191,7 +192,7 @@ rectify(const RectificationOptions& options,
         const Eigen::Vector3d& up,
         const RunControls& controls)
 {
-  Rectification rectification = rectificationOf(options);
+  Rectification rectification = options.stage;
   rectification.setUpDirection(up);
   rectification.setNumberOfThreads(controls.threads);
   rectification.setProgressCallback(controls.progress);
@@ -335,7 +336,7 @@ rectifyMap(const RectificationOptions& options,
     const Trajectory rectified = {observations.trajectory.stamps, poses};
     poses = adjustPoses(posed->withPoses(observations.places, rectified),
                         observations.trajectory.poses,
-                        options.odometry,
+                        rectification.getOdometryNoise(),
                         controls,
                         log)
                 .poses;
@@ -351,9 +352,10 @@ rectifyMap(const RectificationOptions& options,
   timer.finish("write");
   tellOutcome(report, log);
   log.details.update(detailsOf(options, report));
-  if (options.mode == RectificationMode::Paper)
+  if (options.stage.getMode() == RectificationMode::Paper)
     log.details.update(
-        Json{{"smoothing", options.smoothing.value_or(options.binSize())},
+        Json{{"smoothing",
+              rectification.getSmoothing().value_or(rectification.getBinSize())},
              {"votes", report.votes},
              {"accepted_moves", report.accepted_moves}});
   log.details["posed_files"] = observations.files;
@@ -367,20 +369,6 @@ rectifyMap(const RectificationOptions& options,
 
 } // namespace
 
-EntropyRectification<PointNormal>
-rectificationOf(const RectificationOptions& options)
-{
-  Rectification rectification;
-  rectification.setMode(options.mode);
-  rectification.setBinSize(options.binSize());
-  if (options.smoothing)
-    rectification.setSmoothing(*options.smoothing);
-  rectification.setSeed(options.seed);
-  if (options.has_odometry_noise)
-    rectification.setOdometryNoise(options.odometry);
-  return rectification;
-}
-
 EstimatedPoses
 rectifyPoses(const RectificationOptions& options,
              const ObservationSequence& posed,
@@ -388,7 +376,7 @@ rectifyPoses(const RectificationOptions& options,
              StageLog& log)
 {
   const auto read = [&] {
-    const bool is_raw = options.mode == RectificationMode::Paper;
+    const bool is_raw = options.stage.getMode() == RectificationMode::Paper;
     return readObservations(posed, is_raw, options.skip_broken, controls, log);
   };
   return rectifyMap(options, read, &posed, controls, log);

@@ -601,7 +601,7 @@ tellProjector(const GrabberOptions& options,
                               {"width", monitor.width},
                               {"height", monitor.height},
                               {"patterns", options.pattern.patterns},
-                              {"seed", options.pattern.seed},
+                              {"seed", options.pattern.generator.getSeed()},
                               {"settle", settle},
                               {"spared", report.spared}};
   log.tell("projector",

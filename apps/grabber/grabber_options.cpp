@@ -95,7 +95,7 @@ addAmounts(CLI::App& app, GrabberOptions& options)
          "once]")
       ->type_name("SECONDS")
       ->default_str("")
-      ->check(CLI::Range(0.0, longest_wait).description(""));
+      ->check(numberWithin(0, longest_wait).description(""));
   app.add_option("--frames", options.frames, "With --patterns 0: stop after N frames")
       ->type_name("N")
       ->default_str("")
@@ -103,8 +103,7 @@ addAmounts(CLI::App& app, GrabberOptions& options)
   app.add_option("--seconds", options.seconds, "With --patterns 0: stop after so long")
       ->type_name("SECONDS")
       ->default_str("")
-      ->check(positiveNumber().description(""))
-      ->check(CLI::Range(0.0, 30 * longest_wait).description(""));
+      ->check(positiveNumber(30 * longest_wait).description(""));
 }
 
 void
@@ -116,8 +115,7 @@ addProjector(Tool& tool, GrabberOptions& options)
                  "Patterns of an observation; 0 for no projector: a stream of frames")
       ->type_name("N")
       ->check(CLI::Range(std::uint32_t{0}, max_patterns).description(""));
-  addPatternLook(app, options.pattern);
-  tool.addSeed(options.pattern.seed);
+  addPatternLook(tool, options.pattern);
   app.add_option("--monitor",
                  options.pattern.monitor,
                  "The projector's monitor, counted from 0")
@@ -153,8 +151,7 @@ addCamera(CLI::App& app, GrabberOptions& options, const CameraTexts& texts)
   app.add_option("--rate", options.rate, texts.rate)
       ->type_name("HZ")
       ->default_str(texts.default_rate)
-      ->check(positiveNumber().description(""))
-      ->check(CLI::Range(0.0, 1000.0).description(""));
+      ->check(positiveNumber(1000).description(""));
   addNumberOrAuto(app,
                   "--shutter",
                   options.shutter,

@@ -12,18 +12,15 @@ struct PatternOptions {
   std::string size = "1024x768";
   bool is_single = false;
   std::uint32_t patterns = 10;
-  int lines = 200;
-  bool grey = false;
-  double minimum_angle = 0; ///< degrees
-  std::uint64_t seed = 1;
+  RandomLinePattern generator; ///< without the size
   bool show = false;
   int monitor = 0;
   double hold = 2; ///< seconds
 };
 
-/** \brief Adds the options for the lines of a pattern. */
+/** \brief Adds the options for the lines of a pattern, and `--seed`. */
 void
-addPatternLook(CLI::App& app, PatternOptions& options);
+addPatternLook(Tool& tool, PatternOptions& options);
 
 /** \brief Creates the generator from the options.
  * \throws UsageError, BadArgumentException for illegal values */

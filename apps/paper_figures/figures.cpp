@@ -475,7 +475,9 @@ public:
                grabber_.getRig(),
                hasBuiltCameras(session + "/rig.yaml"),
                threads)
-  , range_(disparitiesBetween(rectifier_.rig(), options_.nearest, options_.farthest))
+  , range_(disparitiesBetween(rectifier_.rig(),
+                              options_.projection.getMinimumDepth(),
+                              options_.projection.getMaximumDepth()))
   , threads_(threads)
   {}
 

@@ -1,9 +1,9 @@
 #include "extraction.h"
 
 #include "cloud_labels.h"
-#include "command_line.h"
 #include "length_check.h"
 #include "memory.h"
+#include "setter_option.h"
 #include "stage_reports.h"
 
 #include <pcl/core/impl/cloud_fields.h>
@@ -248,6 +248,19 @@ private:
   std::vector<std::size_t> offsets_;
 };
 
+/** Changes both steps that find planes, of which a mapping has copies. */
+template <typename Change>
+void
+changePlanes(PlaneMapping& mapping, const Change& change)
+{
+  PlaneMapping::Clustering clustering = mapping.getClustering();
+  PlaneMapping::DepthSegmentation segmentation = mapping.getDepthSegmentation();
+  change(clustering);
+  change(segmentation);
+  mapping.setClustering(clustering);
+  mapping.setDepthSegmentation(segmentation);
+}
+
 } // namespace
 
 CostCallback
@@ -269,27 +282,10 @@ costCheck(const RunControls& controls)
 PlaneMapping
 mappingOf(const PlaneOptions& options, unsigned threads)
 {
-  PlaneMapping mapping;
+  PlaneMapping mapping = options.stage;
   if (options.paper)
     mapping.setMode(MappingMode::Paper);
-  PlaneMapping::Clustering clustering = mapping.getClustering();
-  PlaneMapping::DepthSegmentation segmentation;
-  if (options.tolerance)
-    clustering.setDistanceThreshold(*options.tolerance);
-  clustering.setMinArea(options.min_area.value_or(0));
-  segmentation.setMinArea(options.min_area.value_or(0));
-  clustering.setRegularize(options.regular);
-  segmentation.setRegularize(options.regular);
-  mapping.setClustering(clustering);
-  mapping.setDepthSegmentation(segmentation);
   mapping.setDepthSensor(options.sensor);
-  if (options.voxel_size) {
-    PlaneMapping::Consolidation consolidation;
-    consolidation.setVoxelSize(*options.voxel_size);
-    mapping.setConsolidation(consolidation);
-    mapping.setConsolidationPolicy(ConsolidationPolicy::Always);
-  }
-  mapping.setComputeMesh(options.keeps_mesh);
   mapping.setComputeCylinders(options.findsPrimitives());
   mapping.setComputeBoxes(options.findsPrimitives());
   mapping.setNumberOfThreads(threads);
@@ -321,30 +317,45 @@ void
 addPlaneChoices(Tool& tool, PlaneOptions& options)
 {
   CLI::App& app = tool.options();
-  tool.addLengthOrAuto("--consolidate",
-                       options.voxel_size,
-                       "The voxel's edge in metres to which a cloud is consolidated "
-                       "[default: by its noise and spacing, and not at all where that "
-                       "is small]; given for a mesh, its vertices are taken as a "
-                       "cloud");
-  app.add_option(
-         "--min-area",
-         options.min_area,
-         "Least area of a plane in square metres [default: 0.1, or 0.3 % of the "
-         "surface where that is less]")
-      ->type_name("M2")
-      ->check(positiveNumber().description(""));
-  app.add_option("--tolerance",
-                 options.tolerance,
-                 "How far off a plane in metres points and bumps are still of it "
-                 "[default: by the noise, warped walls up to 0.025]")
-      ->type_name("M")
-      ->check(positiveNumber().description(""));
+  PlaneMapping& stage = options.stage;
+  tool.addLengthOrAuto(
+      "--consolidate",
+      [&stage](double voxel_size) {
+        PlaneMapping::Consolidation consolidation = stage.getConsolidation();
+        consolidation.setVoxelSize(voxel_size);
+        stage.setConsolidation(consolidation);
+        stage.setConsolidationPolicy(ConsolidationPolicy::Always);
+      },
+      "The voxel's edge in metres to which a cloud is consolidated "
+      "[default: by its noise and spacing, and not at all where that "
+      "is small]; given for a mesh, its vertices are taken as a "
+      "cloud");
+  addSetter<double>(
+      app,
+      "--min-area",
+      [&stage](double area) {
+        changePlanes(stage, [area](auto& step) { step.setMinArea(area); });
+      },
+      "Least area of a plane in square metres [default: 0.1, or 0.3 % of the "
+      "surface where that is less]",
+      "M2");
+  addSetter<double>(
+      app,
+      "--tolerance",
+      [&stage](double distance) {
+        PlaneMapping::Clustering clustering = stage.getClustering();
+        clustering.setDistanceThreshold(distance);
+        stage.setClustering(clustering);
+      },
+      "How far off a plane in metres points and bumps are still of it "
+      "[default: by the noise, warped walls up to 0.025]",
+      "M");
   tool.addSensor(options.sensor);
-  app.add_flag("--regular",
-               options.regular,
-               "Turn planes to be exactly parallel or at right angles to larger ones, "
-               "within their own uncertainty and a degree");
+  app.add_flag_callback(
+      "--regular",
+      [&stage] { changePlanes(stage, [](auto& step) { step.setRegularize(true); }); },
+      "Turn planes to be exactly parallel or at right angles to larger ones, "
+      "within their own uncertainty and a degree");
   app.add_flag_function(
       "--primitives,!--no-primitives",
       [&](std::int64_t times) { options.primitives = times > 0; },
@@ -361,10 +372,11 @@ checkChoices(const PlaneOptions& options)
     if (options.paper && is_given)
       throw UsageError(option + " departs from the paper, leave it out with --paper");
   };
-  refuse(options.voxel_size.has_value(), "--consolidate");
-  refuse(options.min_area.has_value(), "--min-area");
-  refuse(options.tolerance.has_value(), "--tolerance");
-  refuse(options.regular, "--regular");
+  const PlaneMapping::Clustering& clustering = options.stage.getClustering();
+  refuse(options.consolidates(), "--consolidate");
+  refuse(clustering.getMinArea() > 0, "--min-area");
+  refuse(clustering.getDistanceThreshold().has_value(), "--tolerance");
+  refuse(clustering.getRegularize(), "--regular");
   refuse(options.primitives.value_or(false), "--primitives");
   if (options.sensor != DepthSensor::Automatic && options.isInSpace())
     throw UsageError(
@@ -381,8 +393,8 @@ extractPlanes(const PlaneOptions& options,
               StageLog& log,
               TriangleMesh mesh)
 {
-  if (options.voxel_size.value_or(0) > 0)
-    requireFineLength("--consolidate", *options.voxel_size, requirePoints(rows), log);
+  if (const double size = options.stage.getConsolidation().getVoxelSize(); size > 0)
+    requireFineLength("--consolidate", size, requirePoints(rows), log);
   PlaneMapping mapping = mappingOf(options, controls.threads);
   mapping.setInputCloud(rows, file);
   mapping.setInputMesh(std::move(mesh));

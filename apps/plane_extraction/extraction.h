@@ -15,21 +15,24 @@ namespace pcl::acmap {
 
 /** \brief Options that affect which planes are found. */
 struct PlaneOptions {
-  std::optional<double> voxel_size; ///< metres; 0: automatic
-  std::optional<double> min_area;   ///< square metres
-  std::optional<double> tolerance;  ///< metres
+  PlaneMapping stage; ///< with the options of its steps
   DepthSensor sensor = DepthSensor::Automatic;
-  bool regular = false;
   /** \brief Cylinders, boxes and recesses, too; by default the tool decides. */
   std::optional<bool> primitives;
-  bool paper = false;      ///< set by the tool: \ref MappingMode::Paper
-  bool keeps_mesh = false; ///< set by the tool: the mesh is needed
+  bool paper = false; ///< set by the tool: \ref MappingMode::Paper
+
+  /** \brief Was `--consolidate` given? */
+  bool
+  consolidates() const
+  {
+    return stage.getConsolidationPolicy() == ConsolidationPolicy::Always;
+  }
 
   /** \brief Is a cloud to be processed in space, even if it is a single view? */
   bool
   isInSpace() const
   {
-    return voxel_size || tolerance || paper;
+    return paper || stage.getUsedDepthSensor() == DepthSensor::Laser;
   }
 
   bool primitives_by_default = false; ///< set by the tool, for all but the paper's way

@@ -1,8 +1,8 @@
 #include "texture_stage.h"
 
-#include "command_line.h"
 #include "length_check.h"
 #include "memory.h"
+#include "setter_option.h"
 #include "stage_reports.h"
 
 #include <pcl/pipeline/cost_callback.h>
@@ -25,7 +25,8 @@ texturingOf(const CompactMap& surfaces,
             const TextureOptions& options,
             const RunControls& controls)
 {
-  Texturing texturing = acmap::texturingOf(options, controls.threads);
+  Texturing texturing = options.stage;
+  texturing.setNumberOfThreads(controls.threads);
   texturing.setPlanes(surfaces.planes);
   texturing.setCylinders(surfaces.cylinders);
   texturing.setProgressCallback(controls.progress);
@@ -49,20 +50,6 @@ geometryBytes(const CompactMap& map)
 
 } // namespace
 
-PlaneTexturing<PointXYZRGB>
-texturingOf(const TextureOptions& options, unsigned threads)
-{
-  Texturing texturing;
-  texturing.setTexelSize(options.texel_size);
-  texturing.setMaximumDistance(options.maximum_distance);
-  texturing.setMaximumTextureSize(options.maximum_texture_size);
-  texturing.setFillDistance(options.fill_distance);
-  texturing.setCorrectExposure(!options.keep_exposure);
-  texturing.setPaperMode(options.paper);
-  texturing.setNumberOfThreads(threads);
-  return texturing;
-}
-
 void
 tellTexture(const TexturingReport& report, StageLog& log)
 {
@@ -75,43 +62,47 @@ tellTexture(const TexturingReport& report, StageLog& log)
                percent(report.filled, report.texels) + " filled");
 }
 
-TextureOptions::TextureOptions()
-{
-  const Texturing defaults;
-  texel_size = defaults.getTexelSize();
-  maximum_distance = defaults.getMaximumDistance();
-  maximum_texture_size = defaults.getMaximumTextureSize();
-  fill_distance = defaults.getFillDistance();
-  keep_exposure = !defaults.getCorrectExposure();
-}
-
 void
 addTextureOptions(Tool& tool, TextureOptions& options)
 {
   CLI::App& app = tool.options();
-  app.add_option("--texel", options.texel_size, "Edge of a texel, metres")
-      ->type_name("M")
-      ->check(CLI::Range(1e-4, 10.0).description(""));
-  app.add_option("--max-distance",
-                 options.maximum_distance,
-                 "How far a point may be from the plane it colours, metres")
-      ->type_name("M")
-      ->check(CLI::Range(1e-6, 1e3).description(""));
-  app.add_option(
-         "--max-texture",
-         options.maximum_texture_size,
-         "Texels a side; larger polygons get several textures, larger cylinders larger "
-         "texels")
-      ->type_name("N")
-      ->check(CLI::Range(16, 65500).description(""));
-  app.add_option("--fill",
-                 options.fill_distance,
-                 "How far holes are filled from their rims, texels")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1000).description(""));
-  app.add_flag("--keep-exposure",
-               options.keep_exposure,
-               "Take the colours as they are, without a gain for each view");
+  Texturing& stage = options.stage;
+  addSetter(app,
+            "--texel",
+            stage,
+            &Texturing::setTexelSize,
+            &Texturing::getTexelSize,
+            "Edge of a texel, metres",
+            "M");
+  addSetter(app,
+            "--max-distance",
+            stage,
+            &Texturing::setMaximumDistance,
+            &Texturing::getMaximumDistance,
+            "How far a point may be from the plane it colours, metres",
+            "M");
+  addSetter(
+      app,
+      "--max-texture",
+      stage,
+      &Texturing::setMaximumTextureSize,
+      &Texturing::getMaximumTextureSize,
+      "Texels a side; larger polygons get several textures, larger cylinders larger "
+      "texels",
+      "N");
+  addSetter(app,
+            "--fill",
+            stage,
+            &Texturing::setFillDistance,
+            &Texturing::getFillDistance,
+            "How far holes are filled from their rims, texels",
+            "N");
+  addSwitch(app,
+            "--keep-exposure",
+            stage,
+            &Texturing::setCorrectExposure,
+            false,
+            "Take the colours as they are, without a gain for each view");
   app.add_flag(
       "--jpeg", options.outputs.jpeg_images, "Write the images as JPEG instead of PNG");
   app.add_option("--quality", options.outputs.jpeg_quality, "Of JPEG images, 1 to 100")

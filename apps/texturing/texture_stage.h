@@ -15,29 +15,16 @@
 
 namespace pcl::acmap {
 
-/** \brief Options for texturing planes; the defaults are those of
- * \ref PlaneTexturing. */
+/** \brief Options for texturing planes. */
 struct TextureOptions {
-  TextureOptions();
-
-  double texel_size;        ///< metres
-  double maximum_distance;  ///< metres
-  int maximum_texture_size; ///< texels
-  int fill_distance;        ///< texels
-  bool keep_exposure;
+  PlaneTexturing<PointXYZRGB> stage; ///< without planes
   CompactMapOutputs outputs;
   bool skip_broken = false;
-  bool paper = false; ///< set by the tool: colours of points, as the paper has them
 };
 
 /** \brief Adds the options to the command line. */
 void
 addTextureOptions(Tool& tool, TextureOptions& options);
-
-/** \brief The texturing with these options, without planes.
- * \param[in] threads 0 = all */
-PlaneTexturing<PointXYZRGB>
-texturingOf(const TextureOptions& options, unsigned threads);
 
 /** \brief Reports a texturing: warnings, summary and JSON report. */
 void

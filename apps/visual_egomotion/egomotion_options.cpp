@@ -1,7 +1,7 @@
 #include "egomotion_options.h"
 
-#include "command_line.h"
 #include "output_target.h"
+#include "setter_option.h"
 
 #include <pcl/pipeline/observation_files.h>
 
@@ -30,31 +30,42 @@ observationsOf(const EgomotionOptions& options, double scale)
 void
 addMotionChoices(CLI::App& app, EgomotionOptions& options)
 {
-  app.add_flag(
+  using Egomotion = VisualOdometry::Egomotion;
+  Egomotion& stage = options.stage;
+  app.add_flag_callback(
       "--6dof",
-      options.is_rigid,
+      [&stage] { stage.setMotionModel(MotionModel::Rigid); },
       "The camera moves freely, as in a hand; else level, as on a robot: in its "
       "xz plane and about its y axis");
-  app.add_option("--max-translation",
-                 options.max_translation,
-                 "How far it moves from an observation to the next, at most, metres")
-      ->type_name("M")
-      ->check(positiveNumber().description(""))
-      ->check(CLI::Range(0.001, 1e6).description(""));
-  app.add_option(
-         "--max-rotation", options.max_rotation, "How far it turns, at most, degrees")
-      ->type_name("DEG")
-      ->check(positiveNumber().description(""))
-      ->check(CLI::Range(0.0, 180.0).description(""));
-  app.add_option("--keypoints",
-                 options.keypoints,
-                 "Keypoints of an observation at each of three scales, at most")
-      ->type_name("N")
-      ->check(CLI::Range(10, 100000).description(""));
-  app.add_flag_callback(
-      "--no-refinement",
-      [&options] { options.refines = false; },
-      "Features alone: leave surfaces out");
+  addSetter(app,
+            "--max-translation",
+            stage,
+            &Egomotion::setMaximumTranslation,
+            &Egomotion::getMaximumTranslation,
+            "How far it moves from an observation to the next, at most, metres",
+            "M");
+  constexpr double degree = 3.14159265358979323846 / 180;
+  addSetter(app,
+            "--max-rotation",
+            stage,
+            &Egomotion::setMaximumRotation,
+            &Egomotion::getMaximumRotation,
+            "How far it turns, at most, degrees",
+            "DEG",
+            degree);
+  addSetter(app,
+            "--keypoints",
+            stage,
+            &Egomotion::setMaximumKeypoints,
+            &Egomotion::getMaximumKeypoints,
+            "Keypoints of an observation at each of three scales, at most",
+            "N");
+  addSwitch(app,
+            "--no-refinement",
+            stage,
+            &Egomotion::setRefinement,
+            false,
+            "Features alone: leave surfaces out");
 }
 
 void
@@ -74,10 +85,13 @@ addOptions(Tool& tool, EgomotionOptions& options)
       ->required();
   addMotionChoices(app, options);
   CLI::Option* const paper =
-      app.add_flag("--paper",
-                   options.paper,
-                   "As the paper has it and nothing else: one scale, Eq. 1 as printed, "
-                   "Eq. 2 in one fit");
+      addSwitch(app,
+                "--paper",
+                options.stage,
+                &VisualOdometry::Egomotion::setPaperMode,
+                true,
+                "As the paper has it and nothing else: one scale, Eq. 1 as printed, "
+                "Eq. 2 in one fit");
   for (const char* departure :
        {"--max-translation", "--max-rotation", "--keypoints", "--no-refinement"})
     paper->excludes(app.get_option(departure));

@@ -15,15 +15,17 @@ namespace pcl::acmap {
 struct EgomotionOptions {
   std::vector<std::string> inputs; ///< one folder, or PCDs in their order
   std::string output;
-  bool is_rigid = false;      ///< six degrees of freedom instead of three
-  double max_translation = 1; ///< metres, from one observation to the next
-  double max_rotation = 30;   ///< degrees
-  std::size_t keypoints = 1000;
-  bool refines = true;
-  bool paper = false; ///< II-B.1 as printed; the bounds above have no effect then
+  VisualOdometry::Egomotion stage;
   bool writes_observations = true; ///< write copies of the input with poses
   bool pictures = false;
   std::string truth; ///< trajectory to compare with; empty: none
+
+  /** \brief Does the camera move in six degrees of freedom instead of three? */
+  bool
+  isRigid() const
+  {
+    return stage.getMotionModel() == MotionModel::Rigid;
+  }
 
   /** \brief Is the input one folder? A path that is no PCD is refused as a folder. */
   bool
@@ -43,10 +45,6 @@ addMotionChoices(CLI::App& app, EgomotionOptions& options);
  * \throws InputFileException if it is no folder, or holds no PCD file */
 ObservationSequence
 observationsOf(const EgomotionOptions& options, double scale);
-
-/** \brief The estimator of the motions with these options. */
-VisualOdometry::Egomotion
-egomotionOf(const EgomotionOptions& options);
 
 /** \brief Estimates the poses of a sequence and writes them into a folder: the complete
  * work of pcl_visual_egomotion.

@@ -356,18 +356,19 @@ detailsOf(const EgomotionOptions& options,
                       {"reason", run.reasonOf(i, list.names)}});
   std::size_t fits = 0;
   for (const OdometryPair& pair : run.pairs) {
-    pairs.push_back(jsonOf(pair, list, options.is_rigid));
+    pairs.push_back(jsonOf(pair, list, options.isRigid()));
     fits += pair.report.fits;
   }
+  const VisualOdometry::Egomotion& stage = options.stage;
   Json details = {{"inputs", options.inputs},
                   {"output", options.output},
-                  {"mode", options.paper ? "paper" : "accurate"},
+                  {"mode", stage.getPaperMode() ? "paper" : "accurate"},
                   {"fits", fits},
-                  {"model", options.is_rigid ? "rigid" : "planar"},
-                  {"max_translation", options.max_translation},
-                  {"max_rotation", options.max_rotation / degrees},
-                  {"keypoints", options.keypoints},
-                  {"refinement", options.refines && !options.paper},
+                  {"model", options.isRigid() ? "rigid" : "planar"},
+                  {"max_translation", stage.getMaximumTranslation()},
+                  {"max_rotation", stage.getMaximumRotation()},
+                  {"keypoints", stage.getMaximumKeypoints()},
+                  {"refinement", stage.getRefinement() && !stage.getPaperMode()},
                   {"observations", list.names.size()},
                   {"posed", run.posed()},
                   {"length", length},
@@ -439,7 +440,7 @@ run(const EgomotionOptions& options,
     StageLog& log)
 {
   VisualOdometry odometry;
-  odometry.setEgomotion(egomotionOf(options));
+  odometry.setEgomotion(options.stage);
   odometry.setNumberOfThreads(controls.threads);
   odometry.setProgressCallback(controls.progress);
   if (options.pictures)
@@ -457,19 +458,6 @@ run(const EgomotionOptions& options,
 }
 
 } // namespace
-
-VisualOdometry::Egomotion
-egomotionOf(const EgomotionOptions& options)
-{
-  VisualOdometry::Egomotion egomotion;
-  egomotion.setMotionModel(options.is_rigid ? MotionModel::Rigid : MotionModel::Planar);
-  egomotion.setMaximumKeypoints(options.keypoints);
-  egomotion.setRefinement(options.refines);
-  egomotion.setPaperMode(options.paper);
-  egomotion.setMaximumTranslation(options.max_translation);
-  egomotion.setMaximumRotation(options.max_rotation * 3.14159265358979323846 / 180);
-  return egomotion;
-}
 
 EstimatedPoses
 estimatePoses(const EgomotionOptions& options,
@@ -493,7 +481,7 @@ estimatePoses(const EgomotionOptions& options,
 
   std::optional<TruthComparison> comparison;
   if (!truth.empty())
-    comparison = compare(truth, found, options.is_rigid);
+    comparison = compare(truth, found, options.isRigid());
   EstimatedPoses estimated = found.estimated(list.stamps);
   saveTrajectory(folder.path(trajectory_name), estimated.trajectory);
   savePng(folder.path("plan.png"),

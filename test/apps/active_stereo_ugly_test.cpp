@@ -49,7 +49,7 @@ TEST_F(ActiveStereoUgly, OptionsThatMakeNoSenseAreRefused)
   refused({input_, "-o", out_, "--reference", images_[0][0]}, "not both");
   refused({input_, "-o", out_, "--rig", rig_}, "--reference");
   refused({input_, "-o", out_, "--method", "mean"}, "--method");
-  refused({input_, "-o", out_, "--min-depth", "0"}, "--min-depth");
+  refused({input_, "-o", out_, "--min-depth", "-1"}, "--min-depth");
   refused({input_, "-o", out_, "--min-depth", "3", "--max-depth", "3"}, "not below");
   refused({input_, "-o", out_, "--max-depth", "nan"}, "--max-depth");
   refused({input_, "-o", out_, "--min-correlation", "2"}, "--min-correlation");

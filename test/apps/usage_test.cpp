@@ -72,9 +72,10 @@ TEST(SurfaceUsage, ValuesOutOfRangeAreRefusedBeforeAnyWork)
   const std::string input = folder.write("in.pcd", planePcd());
   const std::string output = folder.path("out.ply");
   const std::vector<std::vector<std::string>> nonsense = {
-      {"--max-edge", "0"},
       {"--max-edge", "-1"},
       {"--max-edge", "nan"},
+      {"--max-edge", "1e10"},
+      {"--max-edge", "long"},
       {"--max-edge", "1", "-max_edge", "2"},
       {"--rule", "fast"},
       {"--rule", "Strict"},
@@ -88,6 +89,10 @@ TEST(SurfaceUsage, ValuesOutOfRangeAreRefusedBeforeAnyWork)
     expectRefused(runSurface(arguments), 2, "--help");
   }
   expectRefused(runSurface({input, folder.path("out.vtk"), "--wall-depth"}), 2, ".ply");
+  expectRefused(runSurface({input, output, "--max-edge", "-3"}),
+                2,
+                "--max-edge: maximum edge length = -3 is refused: it must be within "
+                "[0, 1e+09] m (0 = automatic)");
   EXPECT_EQ(folder.count(), 1);
 }
 
@@ -99,7 +104,7 @@ TEST(PlanesUsage, ValuesOutOfRangeAreRefusedBeforeAnyWork)
   const std::vector<std::vector<std::string>> nonsense = {{"--min-area", "-1"},
                                                           {"--min-area", "nan"},
                                                           {"--min-area", "much"},
-                                                          {"--consolidate=0"},
+                                                          {"--consolidate=-1"},
                                                           {"--consolidate=five"},
                                                           {"--labels"},
                                                           {"--paper=maybe"},

@@ -105,7 +105,7 @@ TEST_F(EgomotionFaults, NonsenseOnTheCommandLine)
   const std::string& session = hall().session;
   for (const char* reach : {"0", "-1", "nan", "far"})
     refuse({session, "--max-translation", reach}, 2, "--max-translation");
-  for (const char* turn : {"0", "181", "nan"})
+  for (const char* turn : {"-1", "181", "nan"})
     refuse({session, "--max-rotation", turn}, 2, "--max-rotation");
   for (const char* keypoints : {"9", "-20", "1.5", "100001"})
     refuse({session, "--keypoints", keypoints}, 2, "--keypoints");

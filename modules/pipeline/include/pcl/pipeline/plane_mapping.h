@@ -121,7 +121,7 @@ public:
   getUsedDepthSensor() const
   {
     return policy_ != ConsolidationPolicy::WhereNoisy ||
-                   clustering_.getDistanceThreshold() > 0
+                   clustering_.getDistanceThreshold()
                ? DepthSensor::Laser
                : sensor_;
   }
