@@ -7,7 +7,7 @@
 
 namespace pcl::acmap {
 
-/** \brief Base of the grabbers whose shots are steps of a \ref StreamThread: what does
+/** \brief Base of the grabbers whose shots are steps of a StreamThread: what does
  * not depend on the source of the frames. */
 class ACMAP_EXPORT StreamedGrabber : public TrinocularGrabber {
 public:
