@@ -173,7 +173,7 @@ public:
     log.tell("searched",
              std::to_string(range.minimum) + " to " + std::to_string(range.maximum()) +
                  " px, depths of " + shortNumber(nearest) + " to " +
-                 shortNumber(farthest) + " m");
+                 shortNumber(options_.projection.getMaximumDepth()) + " m");
     results_.tellPoints(log);
     if (!options_.hasLists())
       log.tell("poses", options_.poses.empty() ? "none" : options_.poses);
