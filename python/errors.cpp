@@ -25,6 +25,9 @@ translate(std::exception_ptr error)
   catch (const InitFailedException& e) {
     raise(PyExc_ValueError, e);
   }
+  catch (const EmptyInputException& e) {
+    raise(PyExc_ValueError, e);
+  }
   catch (const MemoryLimitException& e) {
     raise(PyExc_MemoryError, e);
   }
