@@ -69,11 +69,16 @@ addSetter(CLI::App& app,
     preset << (stage.*get)() / unit;
   else
     preset << (stage.*get)();
-  const std::function<void(Value)> take = [&stage, set, unit](Value given) {
+  const auto in_units_of_the_class = [unit](Value given) {
     if constexpr (std::is_floating_point_v<Value>)
-      given *= unit;
-    (stage.*set)(given);
+      return given * static_cast<Value>(unit);
+    else
+      return static_cast<void>(unit), given;
   };
+  const std::function<void(Value)> take =
+      [&stage, set, in_units_of_the_class](Value given) {
+        (stage.*set)(in_units_of_the_class(given));
+      };
   CLI::Option* const added = addSetter(app, option, take, help, type);
   if constexpr (std::is_unsigned_v<Value>)
     added->check(wholeNumber().description(""));
