@@ -31,7 +31,8 @@ callSetter(const std::string& option, const Set& set, const Value& value)
 }
 
 /** \brief Adds an option whose value a function gives to setters, and which has no
- * default: for optional values, and for options of two objects. */
+ * default: for optional values, and for options of two objects. An unsigned value refuses
+ * negative numbers. */
 template <typename Value>
 CLI::Option*
 addSetter(CLI::App& app,
@@ -40,13 +41,27 @@ addSetter(CLI::App& app,
           const std::string& help,
           const std::string& type)
 {
-  return app
-      .add_option_function<Value>(
-          option,
-          [option, set](const Value& given) { callSetter(option, set, given); },
-          help)
-      ->type_name(type)
-      ->default_str("");
+  CLI::Option* const added =
+      app.add_option_function<Value>(
+             option,
+             [option, set](const Value& given) { callSetter(option, set, given); },
+             help)
+          ->type_name(type)
+          ->default_str("");
+  if constexpr (std::is_unsigned_v<Value>)
+    added->check(wholeNumber().description(""));
+  return added;
+}
+
+/** \brief A value of the command line in the unit of the setter. */
+template <typename Value>
+Value
+inUnitOfSetter(Value given, [[maybe_unused]] double unit)
+{
+  if constexpr (std::is_floating_point_v<Value>)
+    return given * static_cast<Value>(unit);
+  else
+    return given;
 }
 
 /** \brief Adds an option whose value a setter of the object takes that then runs. Its
@@ -69,20 +84,10 @@ addSetter(CLI::App& app,
     preset << (stage.*get)() / unit;
   else
     preset << (stage.*get)();
-  const auto in_units_of_the_class = [unit](Value given) {
-    if constexpr (std::is_floating_point_v<Value>)
-      return given * static_cast<Value>(unit);
-    else
-      return static_cast<void>(unit), given;
+  const std::function<void(Value)> take = [&stage, set, unit](Value given) {
+    (stage.*set)(inUnitOfSetter(given, unit));
   };
-  const std::function<void(Value)> take =
-      [&stage, set, in_units_of_the_class](Value given) {
-        (stage.*set)(in_units_of_the_class(given));
-      };
-  CLI::Option* const added = addSetter(app, option, take, help, type);
-  if constexpr (std::is_unsigned_v<Value>)
-    added->check(wholeNumber().description(""));
-  return added->default_str(preset.str());
+  return addSetter(app, option, take, help, type)->default_str(preset.str());
 }
 
 /** \brief Adds an option without a value, with which a setter gets \a value. */

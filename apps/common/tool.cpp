@@ -202,11 +202,8 @@ Tool::addThreads()
 void
 Tool::addSeed(std::uint64_t preset, const std::function<void(std::uint64_t)>& set)
 {
-  app_->add_option_function<std::uint64_t>(
-          "--seed", set, "Number that all randomness begins with")
-      ->type_name("N")
-      ->default_str(std::to_string(preset))
-      ->check(wholeNumber().description(""));
+  addSetter(*app_, "--seed", set, "Number that all randomness begins with", "N")
+      ->default_str(std::to_string(preset));
 }
 
 void

@@ -162,13 +162,16 @@ INSTANTIATE_TEST_SUITE_P(Tools,
 
 TEST(StoredFingerprints, AreOfTheStagesThatThereAre)
 {
-  std::vector<std::string> wanted, found;
+  std::vector<std::string> wanted;
   for (const Stage& stage : stagesWithFingerprints())
     wanted.push_back(stage.name);
-  const auto fingerprints = stored(ACMAP_FINGERPRINTS);
-  for (const auto& item : fingerprints.items())
-    found.push_back(item.key());
-  EXPECT_THAT(found, UnorderedElementsAreArray(wanted));
+  for (const char* path : {ACMAP_FINGERPRINTS, ACMAP_KEYS}) {
+    std::vector<std::string> found;
+    const auto all = stored(path);
+    for (const auto& item : all.items())
+      found.push_back(item.key());
+    EXPECT_THAT(found, UnorderedElementsAreArray(wanted)) << path;
+  }
 }
 
 TEST(Comparable, ReportsWithoutWhatChanges)

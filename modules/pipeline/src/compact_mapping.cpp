@@ -48,6 +48,13 @@ asInFiles(Eigen::Isometry3d pose)
   return pose;
 }
 
+void
+roundAsInFiles(Trajectory& trajectory)
+{
+  for (Eigen::Isometry3d& pose : trajectory.poses)
+    pose = asInFiles(pose);
+}
+
 /** \throws OutputFileException if the folder cannot be made */
 void
 makeFolder(const std::string& folder)
@@ -302,8 +309,7 @@ CompactMapping::estimatePoses(const ObservationSequence& sequence,
                                found.reasonOf(i, sequence.names()));
   }
   estimated_ = found.estimated(stamps);
-  for (Eigen::Isometry3d& pose : estimated_.trajectory.poses)
-    pose = asInFiles(pose);
+  roundAsInFiles(estimated_.trajectory);
 }
 
 /** \param[in] sequence the earlier observations, then the new ones in their own map */
@@ -369,10 +375,10 @@ CompactMapping::rectify(const ObservationSequence& sequence,
   if (report.levelling->found)
     estimated_.up = report.levelling->axis;
   for (std::size_t i = 0; i < estimated_.places.size(); ++i)
-    estimated_.trajectory.poses[i] = asInFiles(rectification.getPose(i));
+    estimated_.trajectory.poses[i] = rectification.getPose(i);
+  roundAsInFiles(estimated_.trajectory);
   before_ = std::move(observations.trajectory);
-  for (Eigen::Isometry3d& pose : before_.poses)
-    pose = asInFiles(pose);
+  roundAsInFiles(before_);
 }
 
 void
@@ -390,10 +396,9 @@ CompactMapping::adjust(const ObservationSequence& sequence,
   report.revisits = adjustment.getRevisitReport();
   addRemarks(*report.adjustment, report);
   EstimatedPoses poses;
-  for (std::size_t i = 0; i < sequence.size(); ++i) {
+  for (std::size_t i = 0; i < sequence.size(); ++i)
     poses.places.push_back(i);
-    adjusted.poses[i] = asInFiles(adjusted.poses[i]);
-  }
+  roundAsInFiles(adjusted);
   poses.trajectory = std::move(adjusted);
   poses.up = estimated_.up;
   estimated_ = std::move(poses);
