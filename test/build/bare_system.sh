@@ -24,10 +24,12 @@ make_root() {
 }
 
 # Runs the script on stdin in the bare system, in its own process namespace: no process
-# outlives it. It has /proc and /dev, as any system.
+# outlives it. It has /proc, /sys and /dev, as any system: without /sys, MPI tells that it
+# knows no processors.
 inside() {
   unshare --mount --pid --fork sh -eu -c '
     mount -t proc proc "$1/proc"
+    mount --rbind /sys "$1/sys"
     mount --rbind /dev "$1/dev"
     exec chroot "$1" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root \
       DEBIAN_FRONTEND=noninteractive sh -eu' inside "$root"
