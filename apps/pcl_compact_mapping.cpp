@@ -1,21 +1,17 @@
-#include "compact_mapping/chain.h"
 #include "compact_mapping/chain_report.h"
 #include "compact_mapping/live_map.h"
+#include "compact_mapping/map_run.h"
 #include "compact_mapping/map_stage.h"
 #include "compact_mapping/recording.h"
 #include "compact_mapping/report_page.h"
 #include "compact_mapping/run_ranks.h"
 #include "drawn_apart.h"
-#include "live_window.h"
 #include "output_target.h"
 
 #include <pcl/pipeline/ranked_work.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
-#include <memory>
-#include <mutex>
 #include <optional>
 
 namespace {
@@ -77,53 +73,19 @@ run(Tool& tool, const ChainOptions& options)
     truth = pcl::loadSessionTruth(options.truth);
   tool.setReportPlace(options.output + "/report.json");
 
-  const RunControls controls = tool.controls();
   const auto values = [&](const std::string& group) { return valuesIn(tool, group); };
-  Chain chain(options,
-              values,
-              controls,
-              tool.log(),
-              (fs::path(options.output) / "stages").string());
-  Sequence sequence;
-  if (start != StartingPoint::Cloud && !options.as_recorded)
-    sequence = chain.sequenceFrom(start, recorded);
-  nlohmann::ordered_json map_values = values(map_group);
-  if (start == StartingPoint::Cloud) // its up direction is not used before the map
-    map_values.update(values(rectification_group));
-  if (options.as_recorded) // whoever asks for a replay does not want an earlier one
-    map_values["replayed"] =
-        std::chrono::system_clock::now().time_since_epoch().count();
-  std::mutex drawing;
-  const auto window = options.live
-                          ? std::make_unique<LiveWindow>(drawing, "pcl_compact_mapping")
-                          : nullptr;
-  // pictures of the same map are kept, even if this run would not draw any
-  const auto madeOf = [&](bool has_pictures) {
-    return mapIsMadeOf(options, sequence, map_values, controls.scale, has_pictures);
-  };
-  const bool has_pictures =
-      pictures.canBeDrawn() || chain.isFinished("map", madeOf(true), options.output);
-  chain.run(
-      "map",
-      madeOf(has_pictures),
-      [&](StageLog& log) {
-        return options.as_recorded
-                   ? mapAsRecorded(options,
-                                   chain.folderOf("replay"),
-                                   pictures,
-                                   window.get(),
-                                   folder,
-                                   controls,
-                                   log)
-                   : makeMap(options, chain, sequence, pictures, folder, controls, log);
-      },
-      options.output);
+  MapRun made(options, values, tool.controls(), pictures, folder, tool.log());
+  if (options.as_recorded)
+    made.replay();
+  else
+    made.run(start, recorded);
+  const StageLog& told = made.stages().back().told;
   std::optional<pcl::MapFigures> figures;
   if (truth)
-    figures = compareMap(options, chain, sequence, *truth);
-  tellChain(options, start, chain.stages(), figures, tool.log());
+    figures = compareMap(options, made.state(), told, *truth);
+  tellChain(options, start, made.stages(), figures, tool.log());
   saveReportPage(options.output + "/report.html", tool.fullReport(), options.output);
-  requireAllObservations(chain.stages().back().told.details, options.output);
+  requireAllObservations(told.details, options.output);
 }
 
 /** \brief Works for rank 0, which alone prints and writes. */

@@ -4,6 +4,7 @@
 
 #include <pcl/core/output_file.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -112,13 +113,16 @@ StageLog::tellSeconds()
 void
 StageLog::warn(const std::string& remark)
 {
-  report.remarks.push_back(remark);
+  std::vector<std::string>& all = report.remarks;
+  if (std::find(all.begin(), all.end(), remark) == all.end())
+    all.push_back(remark);
 }
 
 void
 StageLog::warn(const std::vector<std::string>& remarks)
 {
-  report.remarks.insert(report.remarks.end(), remarks.begin(), remarks.end());
+  for (const std::string& remark : remarks)
+    warn(remark);
 }
 
 void

@@ -27,7 +27,7 @@ struct StageLog {
   void
   tellSeconds();
 
-  /** \brief Adds a warning; warnings are printed once the run has succeeded. */
+  /** \brief Adds a warning, once; warnings are printed once the run has succeeded. */
   void
   warn(const std::string& remark);
 

@@ -2,8 +2,6 @@
 
 #include "compact_mapping/map_stage.h"
 
-#include <pcl/pipeline/observation_files.h>
-
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -91,30 +89,6 @@ jsonOf(const RunStage& stage)
 }
 
 } // namespace
-
-Json
-mapIsMadeOf(const ChainOptions& options,
-            const Sequence& sequence,
-            Json values,
-            double scale,
-            bool has_pictures)
-{
-  Json files;
-  if (sequence.posed) {
-    files = stateOf(sequence.posed->folder(), sequence.posed->names());
-    files.push_back(stateOf(sequence.posed->folder(), {trajectory_name}));
-  }
-  else if (options.as_recorded)
-    files = stateOf(options.input, filesIn(options.input));
-  else
-    files = stateOfFile(options.input);
-  values.erase("--no-pictures"); // added below
-  return {{"files", files},
-          {"scale", scale},
-          {"options", values},
-          {"rectifies", options.rectifies},
-          {"pictures", has_pictures}};
-}
 
 void
 tellChain(const ChainOptions& options,

@@ -2,9 +2,9 @@
 
 #include "active_stereo/shot_source.h"
 #include "active_stereo/stereo_observation.h"
-#include "chain.h"
 #include "drawn_apart.h"
 #include "live_window.h"
+#include "map_run.h"
 #include "memory.h"
 
 #include <pcl/pipeline/observation_files.h>
@@ -182,23 +182,23 @@ LiveMap::finish(const PicturesApart& pictures,
     show();
     return !controls.progress || controls.progress(0.5 + done / 2, step);
   });
-  Mapped mapped;
+  CompactMap map;
   try {
-    mapping_.compute(mapped.map);
+    mapping_.compute(map);
   }
   catch (const OutputFileException&) {
     if (is_partial_)
       throw;
     keepProcessed(failureOf(std::current_exception()).line, log);
-    mapping_.compute(mapped.map);
+    mapping_.compute(map);
   }
-  mapped.found = mapping_.getMappedPlanes();
-  made_of_ = mapped.map.trajectory.poses.size();
+  const MappedPlanes& found = mapping_.getMappedPlanes();
+  made_of_ = map.trajectory.poses.size();
   if (is_partial_) // the map may need their place on the disk
     removeObservations();
-  requirePlanes(options_.input, mapped.found, log);
+  requirePlanes(options_.input, found, log);
   tellSteps(mapping_.getReport(), log);
-  saveTrajectory(folder.path(trajectory_name), mapped.map.trajectory);
+  saveTrajectory(folder.path(trajectory_name), map.trajectory);
   if (!is_partial_) // else the observations are removed
     saveObservationList((fs::path(options_.output) / observation_list_name).string(),
                         options_.output,
@@ -206,7 +206,8 @@ LiveMap::finish(const PicturesApart& pictures,
   if (const Trajectory& before = mapping_.getOdometryTrajectory();
       !before.poses.empty())
     saveTrajectory(folder.path("trajectory_before.txt"), before);
-  std::vector<std::string> names = writeMap(options_, mapped, pictures, folder, log);
+  std::vector<std::string> names =
+      writeMap(options_, found, map, pictures, folder, log);
   keep();
   const double after = secondsSince(last_shot);
   const bool is_drawn =

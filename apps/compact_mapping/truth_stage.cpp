@@ -39,18 +39,14 @@ trajectoryOf(const ObservationSequence& posed,
 
 MapFigures
 compareMap(const ChainOptions& options,
-           const Chain& chain,
-           const Sequence& sequence,
+           const ChainState& made,
+           const StageLog& told,
            const SessionTruth& truth)
 {
   const CompactMap map = loadMapFile((fs::path(options.output) / "map.json").string());
-  Trajectory before;
-  if (sequence.is_rectified)
-    before = loadTrajectory(
-        (fs::path(chain.folderOf("rectification")) / "trajectory_before.txt").string());
   MapFigures figures = compareWithTruth(
-      map, trajectoryOf(*sequence.posed, before, map.trajectory, truth), truth);
-  const auto& bytes = chain.stages().back().told.details.at("bytes");
+      map, trajectoryOf(*made.observations, made.before, map.trajectory, truth), truth);
+  const auto& bytes = told.details.at("bytes");
   figures.compactness =
       bytes.at("raw").get<double>() / std::max(bytes.at("map.glb").get<double>(), 1.0);
   return figures;

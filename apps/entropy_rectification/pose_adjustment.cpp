@@ -2,10 +2,7 @@
 
 #include "fields_json.h"
 
-#include <pcl/pipeline/sequence_adjustment.h>
-
 #include <algorithm>
-#include <optional>
 
 namespace pcl::acmap {
 
@@ -50,22 +47,11 @@ maximumOf(const std::vector<double>& values)
 
 } // namespace
 
-Trajectory
-adjustPoses(const ObservationSequence& sequence,
-            const std::vector<Eigen::Isometry3d>& before,
-            const OdometryNoise& noise,
-            const RunControls& controls,
-            StageLog& log)
+void
+tellAdjustment(const PlaneAdjustmentReport& report,
+               const std::optional<RevisitReport>& revisits,
+               StageLog& log)
 {
-  SequenceAdjustment adjustment;
-  adjustment.setNumberOfThreads(controls.threads);
-  adjustment.setProgressCallback(controls.progress);
-  adjustment.setOdometryNoise(noise);
-  adjustment.setPosesBefore(before);
-  Trajectory adjusted;
-  adjustment.compute(sequence, adjusted);
-  const PlaneAdjustmentReport& report = adjustment.getReport();
-  log.warn(report.remarks);
   log.tell(std::string("planes ") + nameIn(adjustment_outcome_names, report.outcome),
            report.reason);
   log.tell("thickness",
@@ -73,10 +59,9 @@ adjustPoses(const ObservationSequence& sequence,
                shortNumber(report.thickness_before) + " m, adjusted " +
                shortNumber(report.thickness_after) + " m");
   log.tell("moved by planes", "at most " + shortNumber(maximumOf(report.moved)) + " m");
-  if (adjustment.getRevisitReport())
-    tellRevisits(*adjustment.getRevisitReport(), report, log);
-  log.details["adjustment"] = detailsOf(report, adjustment.getRevisitReport());
-  return adjusted;
+  if (revisits)
+    tellRevisits(*revisits, report, log);
+  log.details["adjustment"] = detailsOf(report, revisits);
 }
 
 } // namespace pcl::acmap

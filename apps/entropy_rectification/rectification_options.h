@@ -3,15 +3,18 @@
 #include "tool.h"
 
 #include <pcl/mapping/entropy_rectification.h>
-#include <pcl/pipeline/estimated_poses.h>
+#include <pcl/mapping/map_levelling_types.h>
 #include <pcl/pipeline/observation_sequence.h>
+#include <pcl/pipeline/sequence_consolidation.h>
 #include <pcl/point_types.h>
 
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -57,11 +60,37 @@ addRectificationChoices(Tool& tool, RectificationOptions& options);
 void
 requireSense(const RectificationOptions& options);
 
+/** \brief Reports vertical and rectification. */
+void
+tellRectification(const RectificationOptions& options,
+                  const MapLevellingReport& levelling,
+                  const EntropyRectificationReport& report,
+                  StageLog& log);
+
+/** \brief Reports the points that were rectified.
+ * \param[in] is_raw Were these as they were measured? */
+void
+tellConsolidated(const SequenceConsolidationReport& report,
+                 std::size_t observations,
+                 bool is_raw,
+                 StageLog& log);
+
+/** \brief Draws plans and the energy.
+ * \param[in] before,after poses of the clouds; the map is level
+ * \param[in] place path of a picture of a name */
+void
+drawRectification(const std::vector<PointCloud<PointNormal>::Ptr>& clouds,
+                  const std::vector<Eigen::Isometry3d>& before,
+                  const std::vector<Eigen::Isometry3d>& after,
+                  const Eigen::Vector3d& up,
+                  const EntropyRectificationReport& report,
+                  const std::function<std::string(const char*)>& place);
+
 /** \brief Rectifies a map and writes it into a folder: the complete work of
  * pcl_entropy_rectification.
  * \param[in] posed the observations of the options' folder
  * \throws according to the exit codes of its documentation page */
-EstimatedPoses
+void
 rectifyPoses(const RectificationOptions& options,
              const ObservationSequence& posed,
              const RunControls& controls,

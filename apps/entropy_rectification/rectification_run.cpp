@@ -1,13 +1,16 @@
 #include "rectification_options.h"
 
 #include "energy_curve.h"
-#include "map_observations.h"
+#include "length_check.h"
+#include "log_observations.h"
 #include "memory.h"
 #include "output_target.h"
 #include "plan_picture.h"
 #include "pose_adjustment.h"
 #include "stage_reports.h"
 
+#include <pcl/common/io.h>
+#include <pcl/conversions.h>
 #include <pcl/core/carmen_log.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/output_file.h>
@@ -15,6 +18,7 @@
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/mapping/impl/rectification_kernel.h>
+#include <pcl/pipeline/chain.h>
 #include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>
 
@@ -30,6 +34,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Poses = std::vector<Eigen::Isometry3d>;
+using Clouds = std::vector<PointCloud<PointNormal>::Ptr>;
 using Rectification = EntropyRectification<PointNormal>;
 
 constexpr double degrees = 180 / 3.14159265358979323846;
@@ -104,18 +109,10 @@ tellEvidence(const EntropyRectificationReport& report, StageLog& log)
                }));
 }
 
-/** Reports the outcome as lines of the summary and, if it is Refused or Undetermined, as
- * a warning. */
 void
 tellOutcome(const EntropyRectificationReport& report, StageLog& log)
 {
-  for (const std::string& remark : report.remarks)
-    if (remark != report.reason)
-      log.warn(remark);
   log.tell(outcomeName(report.outcome), report.reason);
-  if (report.outcome == RectificationOutcome::Refused ||
-      report.outcome == RectificationOutcome::Undetermined)
-    log.warn("the poses are as they came: " + report.reason);
   if (report.before.rays > 0)
     tellEvidence(report, log);
   log.tell("moved",
@@ -131,38 +128,9 @@ nameOfAxis(const Eigen::Vector3d& axis)
   return std::string(axis[number] < 0 ? "-" : "") + "xyz"[number];
 }
 
-/** Do all poses have the same height, and rotate about y only, as for motions on a
- * floor? */
-bool
-areOnAFloor(const Poses& poses)
+void
+tellLevel(const MapLevellingReport& report, StageLog& log)
 {
-  constexpr double level = 1 - 1e-8, height = 1e-4; // cosine, metres
-  return poses.size() > 1 &&
-         std::all_of(poses.begin(), poses.end(), [&](const Eigen::Isometry3d& pose) {
-           const double rise = pose.translation().y() - poses[0].translation().y();
-           return pose.linear()(1, 1) > level && std::abs(rise) < height;
-         });
-}
-
-/** Levels the map and reports its vertical. The scans of a log are planar: theirs is y;
- * the paper's mode takes the map as it is. */
-MapLevellingReport
-level(const RectificationOptions& options,
-      MapObservations& observations,
-      const RunControls& controls,
-      StageLog& log)
-{
-  constexpr double strong = 10; // degrees
-  const bool is_on_a_floor = areOnAFloor(observations.trajectory.poses);
-  MapLevelling<PointNormal> levelling;
-  if (options.up)
-    levelling.setUpDirection(*options.up);
-  else if (observations.files.empty() ||
-           options.stage.getMode() == RectificationMode::Paper)
-    levelling.setUpDirection(-Eigen::Vector3d::UnitY());
-  const MapLevellingReport report =
-      levelObservations(levelling, observations, controls.threads);
-  log.warn(report.remarks);
   const double tilt = degrees * report.tilt;
   log.tell("up",
            nameOfAxis(report.axis) + ", " + report.reason +
@@ -178,31 +146,6 @@ level(const RectificationOptions& options,
                       {"uncertainty"},
                       {"reason"}});
   details["tilt_deg"] = tilt;
-  if (tilt > strong && is_on_a_floor)
-    log.warn(
-        "the map was not level, but its poses turn about y only: where a hand held "
-        "the camera, find them again with --6dof (of pcl_visual_egomotion or "
-        "pcl_compact_mapping)");
-  return report;
-}
-
-Rectification
-rectify(const RectificationOptions& options,
-        const MapObservations& observations,
-        const Eigen::Vector3d& up,
-        const RunControls& controls)
-{
-  Rectification rectification = options.stage;
-  rectification.setUpDirection(up);
-  rectification.setNumberOfThreads(controls.threads);
-  rectification.setProgressCallback(controls.progress);
-  for (std::size_t i = 0; i < observations.clouds.size(); ++i)
-    rectification.addPointCloud(observations.clouds[i],
-                                observations.trajectory.poses[i],
-                                observations.weights[i]);
-  rectification.compute();
-  rectification.setProgressCallback({});
-  return rectification;
 }
 
 /** Transforms the poses to a frame whose y axis points down, as plans have it. */
@@ -216,67 +159,17 @@ upright(const Eigen::Vector3d& up, Poses poses)
 
 /** Extent of all poses and points, before and after. */
 PlanExtent
-extentOf(const MapObservations& observations, const Poses& before, const Poses& after)
+extentOf(const Clouds& clouds, const Poses& before, const Poses& after)
 {
   PlanContents contents;
   for (const Poses* all : {&before, &after})
     for (std::size_t i = 0; i < all->size(); ++i) {
       const Eigen::Isometry3d& T_plan_camera = (*all)[i];
       contents.addPlace(T_plan_camera.translation());
-      for (const PointNormal& point : *observations.clouds[i])
+      for (const PointNormal& point : *clouds[i])
         contents.addPoint(T_plan_camera * point.getVector3fMap().cast<double>());
     }
   return contents.extent();
-}
-
-/** Writes trajectories, plans, and if they are wanted the map and the observations.
- * \param[in] poses rectified, T_map_camera
- * \param[in] up plans are drawn perpendicularly to it */
-void
-writeOutputs(const RectificationOptions& options,
-             const MapObservations& observations,
-             const Poses& poses,
-             const Eigen::Vector3d& up,
-             const OutputFolder& folder,
-             const RunControls& controls)
-{
-  MapRows map(options.write_map ? observations.points : 0,
-              observations.colored,
-              [](const std::string& work, std::size_t bytes, double) {
-                requireMemory(bytes, work);
-              });
-  const Poses plan_before = upright(up, observations.trajectory.poses);
-  const Poses plan_after = upright(up, poses);
-  const PlanExtent extent = extentOf(observations, plan_before, plan_after);
-  PlanPicture before(extent), after(extent);
-  const Progress progress(controls.progress);
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    progress.tell(static_cast<double>(i) / static_cast<double>(poses.size()),
-                  "writing");
-    const std::shared_ptr<const PointCloudFile> observation = observations.load(i);
-    if (options.write_map)
-      map.append(*observation, poses[i], static_cast<std::int32_t>(i));
-    const PointView points = observation->points();
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Eigen::Vector3d in_camera = points[k].cast<double>();
-      before.add(plan_before[i] * in_camera);
-      after.add(plan_after[i] * in_camera);
-    }
-    if (options.write_observations) {
-      PCLPointCloud2 cloud = observation->cloud;
-      dropUnwritableFields(cloud);
-      saveObservation(folder.path(observationName(i)), cloud, poses[i]);
-    }
-  }
-  if (options.write_map)
-    savePointCloud(folder.path("map.pcd"), map.finish());
-  saveTrajectory(folder.path(trajectory_name), {observations.trajectory.stamps, poses});
-  saveTrajectory(folder.path("trajectory_before.txt"), observations.trajectory);
-  const RgbImage image_before = before.draw(plan_before, red);
-  const RgbImage image_after = after.draw(plan_after, blue);
-  savePng(folder.path("plan_before.png"), image_before);
-  savePng(folder.path("plan_after.png"), image_after);
-  savePng(folder.path("plan.png"), beside(image_before, image_after));
 }
 
 /** Writes the scans of a log with their new poses as a log, and the poses as a table. */
@@ -305,81 +198,206 @@ writeScans(std::vector<PlanarScan> scans,
   file.commit();
 }
 
-/** Rectifies the map of the observations that a function reads.
- * \param[in] posed sequence of the observations; nullptr for a log */
-EstimatedPoses
-rectifyMap(const RectificationOptions& options,
-           const std::function<MapObservations()>& read,
-           const ObservationSequence* posed,
-           const RunControls& controls,
-           StageLog& log)
+MapRows
+emptyMap(std::size_t points, bool is_colored)
 {
-  StepTimer timer(log.report);
-  OutputFolder folder(options.output);
+  return MapRows(
+      points, is_colored, [](const std::string& work, std::size_t bytes, double) {
+        requireMemory(bytes, work);
+      });
+}
+
+/** Writes the map and the observations, if they are wanted.
+ * \param[in] posed the observations at their new poses */
+void
+writeObservations(const RectificationOptions& options,
+                  const ObservationSequence& posed,
+                  const SequenceConsolidationReport& consolidated,
+                  const OutputFolder& folder,
+                  const RunControls& controls)
+{
+  if (!options.write_map && !options.write_observations)
+    return;
+  MapRows map =
+      emptyMap(options.write_map ? consolidated.points : 0, consolidated.colored);
+  const Progress progress(controls.progress);
+  for (std::size_t i = 0; i < posed.size(); ++i) {
+    progress.tell(static_cast<double>(i) / static_cast<double>(posed.size()),
+                  "writing");
+    const PosedObservation seen = posed.load(i);
+    if (options.write_map)
+      map.append(*seen.file, seen.T_map_camera, static_cast<std::int32_t>(i));
+    if (options.write_observations) {
+      PCLPointCloud2 cloud = seen.file->cloud;
+      dropUnwritableFields(cloud);
+      saveObservation(folder.path(observationName(i)), cloud, seen.T_map_camera);
+    }
+  }
+  if (options.write_map)
+    savePointCloud(folder.path("map.pcd"), map.finish());
+}
+
+/** Writes the echoes of a log as a map. */
+void
+writeEchoes(const LogObservations& scans,
+            const Poses& poses,
+            const OutputFolder& folder)
+{
+  MapRows map = emptyMap(scans.points, false);
+  for (std::size_t i = 0; i < scans.clouds.size(); ++i) {
+    PointCloud<PointXYZ> echoes;
+    copyPointCloud(*scans.clouds[i], echoes);
+    PointCloudFile file;
+    toPCLPointCloud2(echoes, file.cloud);
+    map.append(file, poses[i], static_cast<std::int32_t>(i));
+  }
+  savePointCloud(folder.path("map.pcd"), map.finish());
+}
+
+void
+writePoses(const Trajectory& before, const Poses& after, const OutputFolder& folder)
+{
+  saveTrajectory(folder.path(trajectory_name), {before.stamps, after});
+  saveTrajectory(folder.path("trajectory_before.txt"), before);
+}
+
+void
+requirePlace(const RectificationOptions& options, const OutputFolder& folder)
+{
   if (folder.holds(options.input()) || folder.holds(options.input() + "/any"))
     throw UsageError(options.output + ": holds the input; name another folder");
   requireNoSequence(folder);
-  MapObservations observations = read();
-  if (observations.points == 0)
-    throw NothingFound(options.input() + ": has no point");
-  timer.finish("read");
+}
 
-  const MapLevellingReport levelled = level(options, observations, controls, log);
-  const Rectification rectification =
-      rectify(options, observations, levelled.axis, controls);
-  timer.finish("rectify");
+/** The given vertical; that of a log is y. */
+MapLevelling<PointNormal>
+levellingOf(const RectificationOptions& options)
+{
+  MapLevelling<PointNormal> levelling;
+  if (options.up)
+    levelling.setUpDirection(*options.up);
+  else if (!options.log.empty())
+    levelling.setUpDirection(-Eigen::Vector3d::UnitY());
+  return levelling;
+}
 
-  Poses poses;
-  for (std::size_t i = 0; i < rectification.getNumberOfPointClouds(); ++i)
-    poses.push_back(rectification.getPose(i));
-  if (options.six_degrees && posed) {
-    const Trajectory rectified = {observations.trajectory.stamps, poses};
-    poses = adjustPoses(posed->withPoses(observations.places, rectified),
-                        observations.trajectory.poses,
-                        rectification.getOdometryNoise(),
-                        controls,
-                        log)
-                .poses;
-    timer.finish("adjust");
-  }
-  const EntropyRectificationReport& report = rectification.getReport();
-  writeOutputs(options, observations, poses, levelled.axis, folder, controls);
-  if (!observations.scans.empty())
-    writeScans(observations.scans, poses, folder);
-  savePng(folder.path("energy.png"), energyPicture(report.steps));
-  stopIfInterrupted();
-  folder.commit();
-  timer.finish("write");
+void
+tellFiles(const RectificationOptions& options,
+          const std::vector<std::string>& files,
+          StageLog& log)
+{
+  log.details["posed_files"] = files;
+  log.tellSeconds();
+  log.tell("folder", options.output);
+}
+
+} // namespace
+
+void
+tellRectification(const RectificationOptions& options,
+                  const MapLevellingReport& levelling,
+                  const EntropyRectificationReport& report,
+                  StageLog& log)
+{
+  tellLevel(levelling, log);
   tellOutcome(report, log);
   log.details.update(detailsOf(options, report));
   if (options.stage.getMode() == RectificationMode::Paper)
     log.details.update(
         Json{{"smoothing",
-              rectification.getSmoothing().value_or(rectification.getBinSize())},
+              options.stage.getSmoothing().value_or(options.stage.getBinSize())},
              {"votes", report.votes},
              {"accepted_moves", report.accepted_moves}});
-  log.details["posed_files"] = observations.files;
-  log.tellSeconds();
-  log.tell("folder", options.output);
-  return {observations.places,
-          {observations.trajectory.stamps, poses},
-          std::nullopt,
-          levelled.found ? std::optional(levelled.axis) : std::nullopt};
 }
 
-} // namespace
+void
+tellConsolidated(const SequenceConsolidationReport& report,
+                 std::size_t observations,
+                 bool is_raw,
+                 StageLog& log)
+{
+  log.tell("read",
+           std::to_string(observations) + " observations, " +
+               std::to_string(report.points) + " points");
+  log.tell("consolidated",
+           is_raw ? "no, the paper takes raw points"
+                  : "to " + std::to_string(report.representatives) + ", voxels of " +
+                        shortNumber(report.min_voxel_size) + " to " +
+                        shortNumber(report.max_voxel_size) + " m");
+  log.details["consolidated_points"] = report.representatives;
+  log.details["consolidation"] = fieldsOf(report, {{"points"}, {"colored"}});
+}
 
-EstimatedPoses
+void
+drawRectification(const std::vector<PointCloud<PointNormal>::Ptr>& clouds,
+                  const std::vector<Eigen::Isometry3d>& before,
+                  const std::vector<Eigen::Isometry3d>& after,
+                  const Eigen::Vector3d& up,
+                  const EntropyRectificationReport& report,
+                  const std::function<std::string(const char*)>& place)
+{
+  const Poses plan_before = upright(up, before), plan_after = upright(up, after);
+  const PlanExtent extent = extentOf(clouds, plan_before, plan_after);
+  PlanPicture picture_before(extent), picture_after(extent);
+  for (std::size_t i = 0; i < clouds.size(); ++i)
+    for (const PointNormal& point : *clouds[i]) {
+      const Eigen::Vector3d in_camera = point.getVector3fMap().cast<double>();
+      picture_before.add(plan_before[i] * in_camera);
+      picture_after.add(plan_after[i] * in_camera);
+    }
+  const RgbImage image_before = picture_before.draw(plan_before, red);
+  const RgbImage image_after = picture_after.draw(plan_after, blue);
+  savePng(place("plan_before.png"), image_before);
+  savePng(place("plan_after.png"), image_after);
+  savePng(place("plan.png"), beside(image_before, image_after));
+  savePng(place("energy.png"), energyPicture(report.steps));
+}
+
+void
 rectifyPoses(const RectificationOptions& options,
              const ObservationSequence& posed,
              const RunControls& controls,
              StageLog& log)
 {
-  const auto read = [&] {
-    const bool is_raw = options.stage.getMode() == RectificationMode::Paper;
-    return readObservations(posed, is_raw, options.skip_broken, controls, log);
-  };
-  return rectifyMap(options, read, &posed, controls, log);
+  StepTimer timer(log.report);
+  OutputFolder folder(options.output);
+  requirePlace(options, folder);
+  ChainSettings settings;
+  settings.levelling = levellingOf(options);
+  settings.rectification = options.stage;
+  settings.rectifies_one = true;
+  settings.adjust = options.six_degrees;
+  settings.skip_broken = options.skip_broken;
+  Chain chain(std::move(settings));
+  chain.setInput(posed, true);
+  chain.setNumberOfThreads(controls.threads);
+  chain.setProgressCallback(controls.progress);
+  const ChainState& state = chain.run("adjustment");
+  const CompactMappingReport& report = state.report;
+  timer.finish("rectify");
+  const ObservationSequence& mapped = *state.observations;
+  Poses poses;
+  for (std::size_t i = 0; i < mapped.size(); ++i)
+    poses.push_back(mapped.pose(i));
+  writeObservations(options, mapped, *report.consolidation, folder, controls);
+  writePoses(state.before, poses, folder);
+  drawRectification(state.rectified.clouds,
+                    state.before.poses,
+                    poses,
+                    report.levelling->axis,
+                    *report.rectification,
+                    [&](const char* name) { return folder.path(name); });
+  stopIfInterrupted();
+  folder.commit();
+  timer.finish("write");
+  warnOfLengths(mapped.load(0).file->points(), controls, log);
+  log.warn(report.remarks);
+  const bool is_raw = options.stage.getMode() == RectificationMode::Paper;
+  tellConsolidated(*report.consolidation, mapped.size(), is_raw, log);
+  tellRectification(options, *report.levelling, *report.rectification, log);
+  if (report.adjustment)
+    tellAdjustment(*report.adjustment, report.revisits, log);
+  tellFiles(options, mapped.names(), log);
 }
 
 void
@@ -387,8 +405,45 @@ rectifyScans(const RectificationOptions& options,
              const RunControls& controls,
              StageLog& log)
 {
-  const auto read = [&] { return readScans(options.log, options.every, log); };
-  rectifyMap(options, read, nullptr, controls, log);
+  StepTimer timer(log.report);
+  OutputFolder folder(options.output);
+  requirePlace(options, folder);
+  LogObservations scans = readScans(options.log, options.every, log);
+  if (scans.points == 0)
+    throw NothingFound(options.input() + ": has no point");
+  timer.finish("read");
+  const MapLevellingReport levelled =
+      levelObservations(levellingOf(options), scans, controls.threads);
+  Rectification rectification = options.stage;
+  rectification.setUpDirection(levelled.axis);
+  rectification.setNumberOfThreads(controls.threads);
+  rectification.setProgressCallback(controls.progress);
+  for (std::size_t i = 0; i < scans.clouds.size(); ++i)
+    rectification.addPointCloud(
+        scans.clouds[i], scans.trajectory.poses[i], scans.weights[i]);
+  rectification.compute();
+  timer.finish("rectify");
+  Poses poses;
+  for (std::size_t i = 0; i < rectification.getNumberOfPointClouds(); ++i)
+    poses.push_back(rectification.getPose(i));
+  const EntropyRectificationReport& report = rectification.getReport();
+  if (options.write_map)
+    writeEchoes(scans, poses, folder);
+  writePoses(scans.trajectory, poses, folder);
+  drawRectification(scans.clouds,
+                    scans.trajectory.poses,
+                    poses,
+                    levelled.axis,
+                    report,
+                    [&](const char* name) { return folder.path(name); });
+  writeScans(scans.scans, poses, folder);
+  stopIfInterrupted();
+  folder.commit();
+  timer.finish("write");
+  log.warn(levelled.remarks);
+  log.warn(report.remarks);
+  tellRectification(options, levelled, report, log);
+  tellFiles(options, {}, log);
 }
 
 } // namespace pcl::acmap

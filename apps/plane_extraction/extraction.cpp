@@ -409,10 +409,16 @@ extractPlanes(const PlaneOptions& options,
     throw UsageError(needs_picture);
   }
   tellMapping(mapping.getReport(), log);
+  warnOfSensor(options, found, log);
+  return found;
+}
+
+void
+warnOfSensor(const PlaneOptions& options, const MappedPlanes& found, StageLog& log)
+{
   if (found.planes.empty() && options.sensor == DepthSensor::Stereo)
     log.warn("--sensor stereo expects noise that is even in inverse depth; where the "
              "cloud's is not, leave --sensor out");
-  return found;
 }
 
 void

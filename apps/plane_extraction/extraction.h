@@ -79,6 +79,10 @@ extractPlanes(const PlaneOptions& options,
               StageLog& log,
               TriangleMesh mesh = {});
 
+/** \brief Warns if no plane was found because of the given sensor. */
+void
+warnOfSensor(const PlaneOptions& options, const MappedPlanes& found, StageLog& log);
+
 /** \brief Reports all steps of a mapping: warnings, summary, JSON report and seconds. */
 void
 tellMapping(const PlaneMappingReport& report, StageLog& log);

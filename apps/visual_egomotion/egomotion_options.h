@@ -2,7 +2,6 @@
 
 #include "tool.h"
 
-#include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/visual_odometry.h>
 
@@ -46,11 +45,24 @@ addMotionChoices(CLI::App& app, EgomotionOptions& options);
 ObservationSequence
 observationsOf(const EgomotionOptions& options, double scale);
 
+/** \brief Warns if the motion model was planar, but the camera left the floor. */
+void
+warnOfFreeMotion(const FreeMotion& free, StageLog& log);
+
+/** \brief Reports the motions of a sequence: warnings, summary and details.
+ * \param[in] plan path of a picture of the trajectory */
+void
+tellOdometry(const EgomotionOptions& options,
+             const ObservationSequence& sequence,
+             const VisualOdometryResult& found,
+             const std::string& plan,
+             StageLog& log);
+
 /** \brief Estimates the poses of a sequence and writes them into a folder: the complete
  * work of pcl_visual_egomotion.
  * \param[in] sequence the observations of the options' inputs
  * \throws according to the exit codes of its documentation page */
-EstimatedPoses
+void
 estimatePoses(const EgomotionOptions& options,
               const ObservationSequence& sequence,
               const RunControls& controls,

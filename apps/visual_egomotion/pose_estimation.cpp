@@ -385,20 +385,6 @@ detailsOf(const EgomotionOptions& options,
   return details;
 }
 
-/** Warns if the motion model was planar, but the camera left the floor. */
-void
-warnOfFreeMotion(const FreeMotion& free, StageLog& log)
-{
-  if (2 * free.free <= free.pairs)
-    return;
-  log.warn("the camera does not move level: from one observation to the next it tilts "
-           "by " +
-           shortNumber(degrees * free.tilt) + " degrees and rises or sinks by " +
-           shortNumber(1000 * free.rise) + " mm (medians of " +
-           std::to_string(free.pairs) + (free.pairs == 1 ? " pair" : " pairs") +
-           "), which motions on a floor cannot follow: run again with --6dof");
-}
-
 /** Throws if there is no motion, and therefore no trajectory to write. */
 void
 requireMotion(const ObservationList& list,
@@ -457,9 +443,55 @@ run(const EgomotionOptions& options,
   return odometry.compute(list.sequence);
 }
 
+/** \param[in] length of the way, metres */
+void
+tellAll(const EgomotionOptions& options,
+        const ObservationList& list,
+        const VisualOdometryResult& found,
+        double length,
+        const std::optional<TruthComparison>& comparison,
+        StageLog& log)
+{
+  warnOfFreeMotion(found.free, log);
+  warnOfGaps(list, found, log);
+  tellRun(found, length, comparison, log);
+  log.details = detailsOf(options, list, found, length, comparison);
+}
+
 } // namespace
 
-EstimatedPoses
+void
+warnOfFreeMotion(const FreeMotion& free, StageLog& log)
+{
+  if (2 * free.free <= free.pairs)
+    return;
+  log.warn("the camera does not move level: from one observation to the next it tilts "
+           "by " +
+           shortNumber(degrees * free.tilt) + " degrees and rises or sinks by " +
+           shortNumber(1000 * free.rise) + " mm (medians of " +
+           std::to_string(free.pairs) + (free.pairs == 1 ? " pair" : " pairs") +
+           "), which motions on a floor cannot follow: run again with --6dof");
+}
+
+void
+tellOdometry(const EgomotionOptions& options,
+             const ObservationSequence& sequence,
+             const VisualOdometryResult& found,
+             const std::string& plan,
+             StageLog& log)
+{
+  savePng(plan, trajectoryPicture(found.poses, {}));
+  const ObservationList list{sequence, sequence.names(), {}, {}};
+  const std::vector<double> no_stamps(found.poses.size());
+  tellAll(options,
+          list,
+          found,
+          lengthOf(found.estimated(no_stamps).trajectory.poses),
+          std::nullopt,
+          log);
+}
+
+void
 estimatePoses(const EgomotionOptions& options,
               const ObservationSequence& sequence,
               const RunControls& controls,
@@ -482,8 +514,8 @@ estimatePoses(const EgomotionOptions& options,
   std::optional<TruthComparison> comparison;
   if (!truth.empty())
     comparison = compare(truth, found, options.isRigid());
-  EstimatedPoses estimated = found.estimated(list.stamps);
-  saveTrajectory(folder.path(trajectory_name), estimated.trajectory);
+  const Trajectory trajectory = found.estimated(list.stamps).trajectory;
+  saveTrajectory(folder.path(trajectory_name), trajectory);
   savePng(folder.path("plan.png"),
           trajectoryPicture(found.poses, comparison ? comparison->truth : Poses()));
   stopIfInterrupted();
@@ -491,13 +523,9 @@ estimatePoses(const EgomotionOptions& options,
   requireFit(folder, sequence);
   folder.commit();
   timer.finish("write");
-  warnOfGaps(list, found, log);
-  const double length = lengthOf(estimated.trajectory.poses);
-  tellRun(found, length, comparison, log);
-  log.details = detailsOf(options, list, found, length, comparison);
+  tellAll(options, list, found, lengthOf(trajectory.poses), comparison, log);
   log.tellSeconds();
   log.tell("folder", options.output);
-  return estimated;
 }
 
 } // namespace pcl::acmap

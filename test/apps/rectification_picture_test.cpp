@@ -1,5 +1,4 @@
 #include "entropy_rectification/energy_curve.h"
-#include "entropy_rectification/map_observations.h"
 #include "plan_picture.h"
 
 #include <pcl/core/random.h>

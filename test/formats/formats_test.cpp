@@ -1,4 +1,3 @@
-#include "compact_mapping/stage_folder.h"
 #include "messages.h"
 #include "paper_figures/figure_plan.h"
 #include "temporary_folder.h"
@@ -12,6 +11,7 @@
 #include <pcl/core/trinocular_rig.h>
 #include <pcl/pipeline/rgbd_cameras.h>
 #include <pcl/pipeline/session_truth.h>
+#include <pcl/pipeline/stage_store.h>
 #include <pcl/simulation/scene_file.h>
 #include <pcl/texture/compact_map_folder.h>
 
@@ -75,16 +75,19 @@ TEST(Formats, ScenesFiguresAndCamerasOfTheFirst)
   EXPECT_NO_THROW(loadColorCamera(sample("camera_1.yaml")));
 }
 
-TEST(Formats, StagesOfTheFirst)
+/** Stages of earlier formats run again, and their files are known to be replaceable. */
+TEST(Formats, StagesOfAllRunAgain)
 {
-  const TemporaryFolder folder;
-  const StageFolder stage(folder.path("stages/a"), {{"option", 1}});
-  fs::create_directories(stage.path());
-  fs::copy(sample("stage_1.json"), stage.path() + "/stage.json");
-  folder.write("stages/a/trajectory.txt", "of an earlier run");
-  EXPECT_FALSE(stage.finished());
-  stage.begin();
-  EXPECT_FALSE(fs::exists(folder.path("stages/a/trajectory.txt")));
+  for (const char* name : {"stage_1.json", "stage_2.json"}) {
+    const TemporaryFolder folder;
+    const StageStore store(folder.path("stages"));
+    fs::create_directories(store.path("a"));
+    fs::copy(sample(name), store.path("a", "stage.json"));
+    folder.write("stages/a/trajectory.txt", "of an earlier run");
+    EXPECT_FALSE(store.find("a", StageKey()));
+    store.begin("a", StageKey()).keepParts();
+    EXPECT_FALSE(fs::exists(folder.path("stages/a/trajectory.txt")));
+  }
 }
 
 /** Error message of a reader for a modified sample. */
@@ -157,11 +160,11 @@ TEST(Formats, NewerSessionsFramesAndStagesAreRefused)
                       [](const auto& path) { loadTrinocularFrame(path); }),
               HasSubstr(newer + " 2;"));
   const TemporaryFolder folder;
-  const StageFolder stage(folder.path("a"), {{"option", 1}});
-  stage.begin();
-  folder.write("a/stage.json", R"({"format":2,"finished":true,"results":[["a"]]})");
-  EXPECT_THROW(stage.finished(), OutputFileException);
-  EXPECT_THROW(stage.begin(), OutputFileException);
+  const StageStore store(folder.path(""));
+  store.begin("a", StageKey()).keepParts();
+  folder.write("a/stage.json", R"({"format":3,"finished":true,"results":[["a"]]})");
+  EXPECT_THROW(store.find("a", StageKey()), OutputFileException);
+  EXPECT_THROW(store.begin("a", StageKey()), OutputFileException);
 }
 
 TEST(Formats, NumbersThatAreNoneAreRefused)

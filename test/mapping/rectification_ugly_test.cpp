@@ -42,7 +42,8 @@ expectUndetermined(const PosedClouds& map, const std::string& reason)
         << rectification.getReport().reason;
     expectWholeReport(rectification);
     ASSERT_EQ(rectification.getReport().remarks.size(), 1U);
-    EXPECT_EQ(rectification.getReport().remarks[0], rectification.getReport().reason);
+    EXPECT_EQ(rectification.getReport().remarks[0],
+              "the poses are as they came: " + rectification.getReport().reason);
     EXPECT_TRUE(isUntouched(rectification, map.poses));
   }
 }

@@ -4,11 +4,15 @@
 #include <pcl/conversions.h>
 #include <pcl/pipeline/compact_mapping.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/observation_source.h>
 #include <pcl/simulation/simulated_observation.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
 #include <pcl/simulation/standard_scenes.h>
 
 #include <gmock/gmock.h>
+
+#include <algorithm>
+#include <mutex>
 
 namespace pcl::acmap::test {
 namespace {
@@ -53,6 +57,77 @@ TEST_F(OfficeViews, becomeTheSameMapFromFilesThatAreReadTwiceAtMost)
   from_memory.compute(held);
   expectSame(read, held);
   EXPECT_LE(sequence.getNumberOfReads(), 2 * views);
+}
+
+/** Clouds that count how often each of them is read. */
+class CountedSource : public ObservationSource {
+public:
+  CountedSource(std::vector<std::shared_ptr<const PointCloudFile>> clouds,
+                Trajectory trajectory)
+  : clouds_(std::move(clouds))
+  , trajectory_(std::move(trajectory))
+  , reads_(clouds_.size())
+  {}
+
+  std::string
+  name() const override
+  {
+    return "counted clouds";
+  }
+
+  std::size_t
+  size() const override
+  {
+    return clouds_.size();
+  }
+
+  Trajectory
+  trajectory() const override
+  {
+    return trajectory_;
+  }
+
+  PointCloudFile
+  load(std::size_t i) const override
+  {
+    const std::lock_guard lock(mutex_);
+    ++reads_[i];
+    return *clouds_[i];
+  }
+
+  std::size_t
+  mostReads() const
+  {
+    return *std::max_element(reads_.begin(), reads_.end());
+  }
+
+private:
+  std::vector<std::shared_ptr<const PointCloudFile>> clouds_;
+  Trajectory trajectory_;
+  mutable std::mutex mutex_;
+  mutable std::vector<std::size_t> reads_;
+};
+
+TEST_F(OfficeViews, areReadThreeTimesAtMost)
+{
+  struct Case {
+    bool has_poses, adjusts;
+    std::size_t most;
+  };
+  for (const auto& [has_poses, adjusts, most] :
+       {Case{true, false, 3}, Case{false, false, 3}, Case{true, true, 8}}) {
+    const auto source = std::make_shared<CountedSource>(
+        clouds_, has_poses ? trajectory_ : Trajectory());
+    ObservationSequence sequence(source);
+    sequence.setCacheSize(0);
+    CompactMapping mapping;
+    mapping.setInputSequence(sequence, has_poses);
+    mapping.setAdjust(adjusts);
+    CompactMap map;
+    mapping.compute(map);
+    EXPECT_GE(map.planes.size(), 3U);
+    EXPECT_LE(source->mostReads(), most) << has_poses << adjusts;
+  }
 }
 
 /** A map made by the paper's classes, one after the other. */

@@ -17,14 +17,12 @@ namespace fs = std::filesystem;
 constexpr const char* poses_name = "poses.yaml";
 
 std::string
-textOf(const EstimatedPoses& poses, const std::string& made_of)
+textOf(const EstimatedPoses& poses)
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(std::numeric_limits<double>::max_digits10);
   text << "format: " << acmap::file_formats::poses << '\n';
-  if (!made_of.empty())
-    text << "made_of: \"" << made_of << "\"\n";
   if (poses.noise)
     text << "odometry_noise: [" << poses.noise->length << ", "
          << poses.noise->length_per_metre << ", " << poses.noise->turn << ", "
@@ -59,15 +57,13 @@ upIn(const acmap::YamlNode& node)
 } // namespace
 
 void
-saveEstimatedPoses(const std::string& folder,
-                   const EstimatedPoses& poses,
-                   const std::string& made_of)
+saveEstimatedPoses(const std::string& folder, const EstimatedPoses& poses)
 {
   if (poses.places.size() != poses.trajectory.poses.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "there are " << poses.trajectory.poses.size() << " poses for "
                                      << poses.places.size() << " observations");
-  const std::string text = textOf(poses, made_of);
+  const std::string text = textOf(poses);
   saveTrajectory((fs::path(folder) / acmap::trajectory_name).string(),
                  poses.trajectory);
   acmap::OutputFile file((fs::path(folder) / poses_name).string());
@@ -76,7 +72,7 @@ saveEstimatedPoses(const std::string& folder,
 }
 
 std::optional<EstimatedPoses>
-loadEstimatedPoses(const std::string& folder, const std::string& made_of)
+loadEstimatedPoses(const std::string& folder)
 {
   const std::string path = (fs::path(folder) / poses_name).string();
   std::error_code error;
@@ -85,9 +81,6 @@ loadEstimatedPoses(const std::string& folder, const std::string& made_of)
   const acmap::YamlNode document = acmap::loadYaml(path);
   acmap::requireFormat(document, acmap::file_formats::poses);
   document.requireKeys({"format", "made_of", "odometry_noise", "up", "observations"});
-  const acmap::YamlNode* const made = document.find("made_of");
-  if ((made != nullptr ? made->text() : std::string()) != made_of)
-    return std::nullopt;
   EstimatedPoses poses;
   constexpr std::size_t maximum = 10000000;
   std::size_t next = 0;

@@ -7,6 +7,7 @@
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/observation_source.h>
+#include <pcl/pipeline/stage_store.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -140,6 +141,7 @@ ObservationSequence::ObservationSequence(
   if (!recorded || recorded->size() == 0)
     PCL_THROW_EXCEPTION(BadArgumentException, "a sequence of no observations");
   source_ = recorded->name();
+  source_state_ = recorded->fingerprint();
   shift_ = recorded->shift();
   remarks_ = recorded->remarks();
   trajectory_ = recorded->trajectory();
@@ -198,6 +200,7 @@ ObservationSequence::followedBy(const ObservationSequence& next) const
       origins;
   ObservationSequence joined = *this;
   joined.paths_.clear();
+  joined.source_state_.clear();
   joined.trajectory_ = Trajectory();
   joined.is_given_ = true;
   if (next.scale_ != scale_)
@@ -269,21 +272,22 @@ std::string
 ObservationSequence::fingerprint() const
 {
   acmap::Fingerprint hash;
+  hash.add(source_state_);
+  if (scale_)
+    hash.add(&*scale_, sizeof *scale_);
   for (std::size_t i = 0; i < size(); ++i) {
     hash.add(paths_[i]);
-    std::error_code error;
-    const auto bytes = fs::file_size(paths_[i], error);
-    if (error) {
+    const double time = stamp(i);
+    hash.add(&time, sizeof time);
+    if (areFiles())
+      hash.add(acmap::stateOfFile(paths_[i]));
+    else if (source_state_.empty()) {
       const std::shared_ptr<const PointCloudFile> file = cache_->load(paths_[i]);
       for (const PCLPointField& field : file->cloud.fields)
         hash.add(field.name + ":" + std::to_string(field.datatype));
       hash.add(file->cloud.data.data(), file->cloud.data.size());
       hash.add(viewpointOf(*file).matrix());
     }
-    else
-      hash.add(std::to_string(bytes) + " " +
-               std::to_string(
-                   fs::last_write_time(paths_[i], error).time_since_epoch().count()));
     if (hasTrajectory())
       hash.add(trajectory_.poses[rows_[i]].matrix());
   }

@@ -48,14 +48,15 @@ ObservationStream::~ObservationStream()
 void
 ObservationStream::add(DisparityFusion shots)
 {
-  push({std::move(shots), nullptr, std::nullopt});
+  push({std::move(shots), nullptr, std::nullopt, {}});
 }
 
 void
 ObservationStream::add(std::shared_ptr<const PointCloudFile> cloud,
-                       const std::optional<Eigen::Isometry3d>& T_map_camera)
+                       const std::optional<Eigen::Isometry3d>& T_map_camera,
+                       const std::string& name)
 {
-  push({std::nullopt, std::move(cloud), T_map_camera});
+  push({std::nullopt, std::move(cloud), T_map_camera, name});
 }
 
 std::size_t
@@ -147,7 +148,7 @@ void
 ObservationStream::process(Item& item)
 {
   const std::size_t index = consolidated_.size();
-  const std::string name = observationName(index);
+  const std::string name = item.name.empty() ? observationName(index) : item.name;
   const ProgressCallback goes_on = [this](double, const std::string&) {
     const std::lock_guard lock(mutex_);
     return !is_stopped_;
@@ -159,9 +160,11 @@ ObservationStream::process(Item& item)
   odometry_.setProgressCallback(goes_on);
   if (!item.T_map_camera)
     odometry_.add(odometryView(index, name, item.cloud), name);
-  ConsolidatedObservation consolidated =
-      steps_.consolidation.consolidate(*item.cloud, name);
-  keep(name, item.cloud);
+  ConsolidatedObservation consolidated;
+  if (steps_.consolidates)
+    consolidated = steps_.consolidation.consolidate(*item.cloud, name);
+  if (steps_.keeps_clouds)
+    keep(name, item.cloud);
   {
     const std::lock_guard lock(mutex_);
     newest_ = item.cloud;

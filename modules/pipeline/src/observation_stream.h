@@ -37,7 +37,9 @@ public:
     DisparityBackProjection projection;
     VisualOdometry odometry;
     SequenceConsolidation consolidation;
-    std::string folder; ///< for the observations; empty: they stay in memory
+    std::string folder;       ///< for the observations; empty: they stay in memory
+    bool keeps_clouds = true; ///< false: who adds them has them
+    bool consolidates = true;
     std::size_t maximum_waiting = 8; ///< observations
     MappingStateCallback callback;
     double provisional_interval = 0; ///< seconds between provisional maps; 0: none
@@ -55,10 +57,12 @@ public:
   add(DisparityFusion shots);
 
   /** \brief Adds an observation that was computed elsewhere; its motion is estimated if
-   * it has no pose. */
+   * it has no pose.
+   * \param[in] name for messages; empty: by its number */
   void
   add(std::shared_ptr<const PointCloudFile> cloud,
-      const std::optional<Eigen::Isometry3d>& T_map_camera);
+      const std::optional<Eigen::Isometry3d>& T_map_camera,
+      const std::string& name = {});
 
   /** \brief Number of observations that were added. */
   std::size_t
@@ -111,6 +115,7 @@ private:
     std::optional<DisparityFusion> shots;
     std::shared_ptr<const PointCloudFile> cloud;
     std::optional<Eigen::Isometry3d> T_map_camera;
+    std::string name;
     Clock::time_point complete = Clock::now();
   };
 

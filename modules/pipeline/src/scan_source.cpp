@@ -1,5 +1,6 @@
 #include <pcl/core/scan_file.h>
 #include <pcl/pipeline/observation_source.h>
+#include <pcl/pipeline/stage_store.h>
 
 namespace pcl {
 
@@ -16,6 +17,12 @@ public:
   name() const override
   {
     return path_;
+  }
+
+  std::string
+  fingerprint() const override
+  {
+    return acmap::stateOfFile(path_);
   }
 
   std::size_t

@@ -129,10 +129,11 @@ rectify(const std::vector<LevelledPoints>& observations,
     result = searchAlongAxes(task, search, poses);
   else
     measureQuality(observations, poses, report.before);
-  if (report.outcome == RectificationOutcome::Undetermined) {
+  if (report.outcome == RectificationOutcome::Undetermined)
     report.after = report.before;
-    report.remarks.push_back(report.reason);
-  }
+  if (report.outcome == RectificationOutcome::Undetermined ||
+      report.outcome == RectificationOutcome::Refused)
+    report.remarks.push_back("the poses are as they came: " + report.reason);
   tellMoves(poses, result, report);
   return result;
 }

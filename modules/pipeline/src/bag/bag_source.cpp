@@ -7,6 +7,7 @@
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/ros_messages.h>
 #include <pcl/pipeline/observation_source.h>
+#include <pcl/pipeline/stage_store.h>
 #include <pcl/pipeline/rgbd_observation.h>
 
 #include <algorithm>
@@ -117,6 +118,12 @@ public:
   name() const override
   {
     return bag_.path();
+  }
+
+  std::string
+  fingerprint() const override
+  {
+    return acmap::stateOfFile(bag_.path());
   }
 
   std::size_t

@@ -23,7 +23,7 @@ inline constexpr std::size_t frame = 1;   ///< frame_000000.acf
 inline constexpr std::size_t truth = 1;   ///< truth.json
 inline constexpr std::size_t figures = 1; ///< of pcl_paper_figures
 inline constexpr std::size_t camera = 1;  ///< of pcl_rgbd_import
-inline constexpr std::size_t stage = 1;   ///< stage.json
+inline constexpr std::size_t stage = 2;   ///< stage.json
 inline constexpr std::size_t report = 1;  ///< report.json
 inline constexpr std::size_t poses = 2;   ///< poses.yaml
 

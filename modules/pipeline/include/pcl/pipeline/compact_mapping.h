@@ -8,6 +8,7 @@
 #include <pcl/io/grabber.h>
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/mapping/map_levelling.h>
+#include <pcl/pipeline/chain.h>
 #include <pcl/pipeline/compact_mapping_types.h>
 #include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_merging.h>
@@ -294,7 +295,7 @@ public:
   MappingMode
   getMode() const
   {
-    return mode_;
+    return settings_.mode;
   }
 
   /** \brief Settings of the fusion of frames and of their projection. */
@@ -313,13 +314,13 @@ public:
   void
   setVisualOdometry(const VisualOdometry& odometry)
   {
-    odometry_ = odometry;
+    settings_.odometry = odometry;
   }
 
   const VisualOdometry&
   getVisualOdometry() const
   {
-    return odometry_;
+    return settings_.odometry;
   }
 
   /** \brief Sets how the vertical is found before the map is rectified. The frame of the
@@ -327,13 +328,13 @@ public:
   void
   setLevelling(const Levelling& levelling)
   {
-    levelling_ = levelling;
+    settings_.levelling = levelling;
   }
 
   const Levelling&
   getLevelling() const
   {
-    return levelling_;
+    return settings_.levelling;
   }
 
   /** \brief Sets how the map is rectified. If its odometry noise was not set, that of
@@ -342,26 +343,26 @@ public:
   void
   setRectification(const Rectification& rectification)
   {
-    rectification_ = rectification;
+    settings_.rectification = rectification;
   }
 
   const Rectification&
   getRectification() const
   {
-    return rectification_;
+    return settings_.rectification;
   }
 
   /** \brief Rectifies the map (default true). */
   void
   setRectify(bool rectify)
   {
-    rectify_ = rectify;
+    settings_.rectify = rectify;
   }
 
   bool
   getRectify() const
   {
-    return rectify_;
+    return settings_.rectify;
   }
 
   /** \brief Adjusts the poses by planes, in six degrees of freedom, after the
@@ -370,13 +371,13 @@ public:
   void
   setAdjust(bool adjust)
   {
-    adjust_ = adjust;
+    settings_.adjust = adjust;
   }
 
   bool
   getAdjust() const
   {
-    return adjust_;
+    return settings_.adjust;
   }
 
   /** \brief Leaves out observations that cannot be read, with a remark, in the steps after
@@ -384,13 +385,13 @@ public:
   void
   setSkipBroken(bool skip)
   {
-    skip_broken_ = skip;
+    settings_.skip_broken = skip;
   }
 
   bool
   getSkipBroken() const
   {
-    return skip_broken_;
+    return settings_.skip_broken;
   }
 
   /** \brief Keeps the poses of odometry and rectification in a folder, so that a later
@@ -403,7 +404,7 @@ public:
   setFolder(const std::string& folder, const std::string& settings = {})
   {
     folder_ = folder;
-    settings_ = settings;
+    words_ = settings;
   }
 
   /** \brief Sets how observations are merged; whether broken ones are skipped is decided
@@ -412,25 +413,25 @@ public:
   void
   setMerging(const ObservationMerging& merging)
   {
-    merging_ = merging;
+    settings_.merging = merging;
   }
 
   const ObservationMerging&
   getMerging() const
   {
-    return merging_;
+    return settings_.merging;
   }
 
   void
   setPlaneMapping(const PlaneMapping& planes)
   {
-    planes_ = planes;
+    settings_.planes = planes;
   }
 
   const PlaneMapping&
   getPlaneMapping() const
   {
-    return planes_;
+    return settings_.planes;
   }
 
   /** \brief Sets what is called before planes are found and painted, with the memory and
@@ -444,13 +445,13 @@ public:
   void
   setTexturing(const Texturing& texturing)
   {
-    texturing_ = texturing;
+    settings_.texturing = texturing;
   }
 
   const Texturing&
   getTexturing() const
   {
-    return texturing_;
+    return settings_.texturing;
   }
   ///@}
 
@@ -498,37 +499,10 @@ private:
   collected();
 
   void
-  estimatePoses(const ObservationSequence& sequence, CompactMappingReport& report);
-
-  void
-  extend(const ObservationSequence& sequence, CompactMappingReport& report);
-
-  void
-  rectify(const ObservationSequence& sequence, CompactMappingReport& report);
-
-  void
-  adjust(const ObservationSequence& sequence, CompactMappingReport& report);
-
-  /** A step that sets estimated_. */
-  using PoseStep = void (CompactMapping::*)(const ObservationSequence&,
-                                            CompactMappingReport&);
-
-  ObservationSequence
-  goOnFrom(const std::string& step,
-           const ObservationSequence& sequence,
-           PoseStep run,
-           CompactMappingReport& report);
-
-  void
   makeMap(CompactMap& map);
 
-  CompactMap
-  paint(const ObservationSequence& sequence,
-        RankedWork* work,
-        CompactMappingReport& report);
-
   std::optional<std::int32_t> current_;              ///< observation of the last frame
-  std::unique_ptr<acmap::ObservationStream> stream_; ///< since \ref start
+  std::shared_ptr<acmap::ObservationStream> stream_; ///< since \ref start
   std::size_t maximum_waiting_ = 8;
   std::shared_ptr<Ranks> ranks_;
   std::string scratch_folder_;       ///< empty: memory
@@ -541,25 +515,13 @@ private:
   std::optional<ObservationSequence> sequence_;
   std::optional<ObservationSequence> earlier_; ///< of a map that is extended
   bool has_poses_ = false;                     ///< of the sequence
-  MappingMode mode_ = MappingMode::Accurate;
   DisparityFusion fusion_;
   DisparityBackProjection projection_;
   std::vector<boost::signals2::scoped_connection> connections_;
-  VisualOdometry odometry_;
-  Levelling levelling_;
-  Rectification rectification_;
-  bool rectify_ = true;
-  bool adjust_ = false;
-  bool skip_broken_ = false;
-  std::string folder_;                        ///< of poses for later runs; empty: none
-  std::string settings_;                      ///< of the steps that estimate poses
-  EstimatedPoses estimated_;                  ///< by the last of these steps
-  std::vector<std::size_t> processed_places_; ///< of the new observations with poses
-  OdometryNoise odometry_noise_; ///< of the poses that are rectified and adjusted
-  ObservationMerging merging_;
-  PlaneMapping planes_;
+  acmap::ChainSettings settings_;
+  std::string folder_; ///< of poses for later runs; empty: none
+  std::string words_;  ///< for the settings of the steps that estimate poses
   CostCallback cost_callback_;
-  Texturing texturing_;
   MappedPlanes mapped_;
   std::optional<ObservationSequence> mapped_sequence_;
   Trajectory before_;

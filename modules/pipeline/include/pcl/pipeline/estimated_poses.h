@@ -24,21 +24,17 @@ struct EstimatedPoses {
 
 /** \brief Writes poses into a folder: trajectory.txt, and the rest as poses.yaml.
  * \param[in] folder that exists
- * \param[in] made_of fingerprint of what the poses were made of; may be empty
  * \throws BadArgumentException if the trajectory has another number of poses
  * \throws OutputFileException if a file could not be written completely
  * \ingroup pipeline */
 ACMAP_EXPORT void
-saveEstimatedPoses(const std::string& folder,
-                   const EstimatedPoses& poses,
-                   const std::string& made_of = {});
+saveEstimatedPoses(const std::string& folder, const EstimatedPoses& poses);
 
 /** \brief Reads the output of \ref saveEstimatedPoses.
- * \param[in] made_of as it was then
- * \return nothing if there are no poses, or they were made of something else
+ * \return nothing if there are no poses
  * \throws InputFileException if a file is malformed
  * \ingroup pipeline */
 ACMAP_EXPORT std::optional<EstimatedPoses>
-loadEstimatedPoses(const std::string& folder, const std::string& made_of = {});
+loadEstimatedPoses(const std::string& folder);
 
 } // namespace pcl

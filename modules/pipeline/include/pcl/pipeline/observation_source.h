@@ -45,6 +45,14 @@ public:
     return Eigen::Vector3d::Zero();
   }
 
+  /** \brief Changes with the observations, but is known without reading them: by name, size
+   * and time of their file. Empty: they are read to detect a change. */
+  virtual std::string
+  fingerprint() const
+  {
+    return {};
+  }
+
   /** \brief Warnings about the file, one per line. */
   virtual std::vector<std::string>
   remarks() const

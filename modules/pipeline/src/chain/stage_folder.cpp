@@ -5,10 +5,12 @@
 #include <pcl/core/file_format.h>
 #include <pcl/core/impl/folder_entries.h>
 #include <pcl/core/impl/hidden_folder.h>
+#include <pcl/core/output_file.h>
 #include <pcl/pipeline/fingerprint.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <set>
 
 namespace pcl::acmap {
@@ -16,17 +18,37 @@ namespace pcl::acmap {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using Json = StageFolder::Json;
 
 constexpr const char* state_name = "stage.json";
 const std::string picture_folder = "pictures/";
 
-/** Is a name from a state file that of a result? */
+/** Does a name from a state file, which may be of anybody, stay in the folder? */
 bool
 isResultName(const std::string& name)
 {
   const bool is_picture = name.rfind(picture_folder, 0) == 0;
-  return isPlainName(is_picture ? name.substr(picture_folder.size()) : name);
+  const std::string plain = is_picture ? name.substr(picture_folder.size()) : name;
+  return !plain.empty() && plain != "." && plain != ".." &&
+         plain.find_first_of(std::string("/\0", 2)) == std::string::npos;
+}
+
+/** \return a discarded value if there is no such file, it is no JSON, or nested deeper
+ * than any run nests it */
+Json
+jsonIn(const fs::path& path)
+{
+  constexpr int deepest = 64; // copies are made recursively
+  bool is_too_deep = false;
+  std::ifstream file(path);
+  Json json = Json::parse(
+      file,
+      [&](int depth, Json::parse_event_t, const Json&) {
+        is_too_deep = is_too_deep || depth > deepest;
+        return !is_too_deep;
+      },
+      false);
+  return is_too_deep ? Json(Json::value_t::discarded) : json;
 }
 
 /** Reads stage.json of the folder.
@@ -35,7 +57,7 @@ isResultName(const std::string& name)
 Json
 readState(const fs::path& folder)
 {
-  const Json state = readJson((folder / state_name).string());
+  const Json state = jsonIn(folder / state_name);
   if (!state.is_object() || !state.contains("format") ||
       !state["format"].is_number_unsigned())
     return state;
@@ -47,9 +69,9 @@ readState(const fs::path& folder)
 }
 
 std::string
-dumped(const Json& json)
+dumped(const Json& json, int indent = -1)
 {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
 /** The JSON as it is read back from a file, with invalid UTF-8 replaced. */
@@ -59,30 +81,72 @@ asWritten(const Json& json)
   return Json::parse(dumped(json));
 }
 
-} // namespace
-
-StageFolder::StageFolder(std::string path, Json made_of, std::string result_folder)
-: path_(std::move(path))
-, made_of_(asWritten(made_of))
-, result_folder_(result_folder.empty() ? path_ : std::move(result_folder))
+/** Names, sizes and times of files; a missing file has only a name. */
+Json
+filesStateOf(const std::string& folder, const std::vector<std::string>& names)
 {
-  made_of_["version"] = ACMAP_VERSION;
+  Json state = Json::array();
+  for (const std::string& name : names) {
+    const fs::path path = fs::path(folder) / name;
+    std::error_code error;
+    const auto size = fs::file_size(path, error);
+    const auto time = error ? fs::file_time_type() : fs::last_write_time(path, error);
+    if (error)
+      state.push_back({name});
+    else
+      state.push_back({name, size, time.time_since_epoch().count()});
+  }
+  return state;
 }
 
-std::optional<StageLog>
+/** The same as it is read back. */
+Json
+resultsIn(const std::string& folder, const std::vector<std::string>& names)
+{
+  return asWritten(filesStateOf(folder, names));
+}
+
+Json
+toldIn(const StageNotes& notes)
+{
+  if (notes.told.empty())
+    return Json::object();
+  Json told = Json::parse(notes.told, nullptr, false);
+  if (!told.is_object())
+    throw BadArgumentException("what is told of a stage is no JSON object");
+  return told;
+}
+
+} // namespace
+
+StageFolder::StageFolder(std::string path,
+                         const StageKey& key,
+                         std::string result_folder)
+: path_(std::move(path))
+, made_of_(Json::object())
+, result_folder_(result_folder.empty() ? path_ : std::move(result_folder))
+{
+  for (const auto& [name, value] : key.entries())
+    made_of_[name] = value;
+  made_of_["version"] = ACMAP_VERSION;
+  made_of_ = asWritten(made_of_);
+}
+
+std::optional<StageNotes>
 StageFolder::finished() const
 {
   try {
     const Json state = readState(path_);
     if (!state.is_object() || state.at("made_of") != made_of_ ||
-        !state.at("finished").get<bool>())
+        !state.at("finished").get<bool>() || !state.at("told").is_object())
       return std::nullopt;
     std::vector<std::string> names;
     for (const Json& result : state.at("results"))
       names.push_back(result.at(0).get<std::string>());
-    if (asWritten(results(names)) != state.at("results"))
+    if (resultsIn(result_folder_, names) != state.at("results"))
       return std::nullopt;
-    return stageLogIn(state.at("told"));
+    return StageNotes{dumped(state.at("told")),
+                      state.at("remarks").get<std::vector<std::string>>()};
   }
   catch (const nlohmann::json::exception&) {
     return std::nullopt; // damaged, or written by another version
@@ -195,7 +259,7 @@ StageFolder::removeStale(const std::vector<std::string>& names) const
   for (const Json& entry : earlierResults()) {
     const auto name = entry.at(0).get<std::string>();
     const bool is_new = std::find(names.begin(), names.end(), name) != names.end();
-    if (is_new || asWritten(results({name})) != Json::array({entry}))
+    if (is_new || resultsIn(result_folder_, {name}) != Json::array({entry}))
       continue;
     std::error_code error;
     if (fs::remove(fs::path(result_folder_) / name, error))
@@ -205,35 +269,28 @@ StageFolder::removeStale(const std::vector<std::string>& names) const
 }
 
 std::vector<std::string>
-StageFolder::finish(const StageLog& told, const std::vector<std::string>& names) const
+StageFolder::finish(const StageNotes& notes,
+                    const std::optional<std::vector<std::string>>& names) const
 {
-  std::vector<std::string> removed = removeStale(names);
+  std::vector<std::string> results = names ? *names : filesIn(path_);
+  results.erase(std::remove(results.begin(), results.end(), state_name), results.end());
+  std::vector<std::string> removed = removeStale(results);
   write({{"format", file_formats::stage},
          {"made_of", made_of_},
          {"finished", true},
-         {"results", results(names)},
-         {"told", jsonOf(told)}});
+         {"results", filesStateOf(result_folder_, results)},
+         {"remarks", notes.remarks},
+         {"told", toldIn(notes)}});
   return removed;
-}
-
-std::vector<std::string>
-StageFolder::finish(const StageLog& told) const
-{
-  std::vector<std::string> names = filesIn(path_);
-  names.erase(std::remove(names.begin(), names.end(), state_name), names.end());
-  return finish(told, names);
 }
 
 void
 StageFolder::write(const Json& state) const
 {
-  saveJson((fs::path(path_) / state_name).string(), state, 1);
-}
-
-Json
-StageFolder::results(const std::vector<std::string>& names) const
-{
-  return stateOf(result_folder_, names);
+  const std::string text = dumped(state, 1) + "\n";
+  OutputFile file((fs::path(path_) / state_name).string());
+  file.write(text.data(), text.size());
+  file.commit();
 }
 
 std::vector<std::string>
@@ -255,37 +312,19 @@ pictureName(const std::string& name)
   return picture_folder + name;
 }
 
-Json
+std::string
 stateOf(const std::string& folder, const std::vector<std::string>& names)
 {
-  Json state = Json::array();
-  for (const std::string& name : names) {
-    const fs::path path = fs::path(folder) / name;
-    std::error_code error;
-    const auto size = fs::file_size(path, error);
-    const auto time = error ? fs::file_time_type() : fs::last_write_time(path, error);
-    if (error)
-      state.push_back({name});
-    else
-      state.push_back({name, size, time.time_since_epoch().count()});
-  }
-  return state;
+  Fingerprint hash;
+  hash.add(dumped(filesStateOf(folder, names)));
+  return hash.text();
 }
 
-Json
+std::string
 stateOfFile(const std::string& path)
 {
   const fs::path file(path);
   return stateOf(file.parent_path().string(), {file.filename().string()});
-}
-
-std::string
-fingerprint(const Json& json)
-{
-  const std::string text = dumped(json);
-  Fingerprint hash;
-  hash.add(text.data(), text.size());
-  return hash.text();
 }
 
 } // namespace pcl::acmap

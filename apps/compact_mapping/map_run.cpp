@@ -1,0 +1,463 @@
+#include "map_run.h"
+
+#include "active_stereo/stereo_options.h"
+#include "cloud_labels.h"
+#include "drawn_apart.h"
+#include "entropy_rectification/pose_adjustment.h"
+#include "fields_json.h"
+#include "length_check.h"
+#include "live_map.h"
+#include "live_window.h"
+#include "map_stage.h"
+#include "memory.h"
+#include "recording.h"
+
+#include <pcl/core/cloud_rows.h>
+#include <pcl/core/exceptions.h>
+#include <pcl/core/point_cloud_writer.h>
+#include <pcl/pipeline/map_rows.h>
+#include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/observation_list.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace pcl::acmap {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* first_stage = "observations";
+constexpr const char* last_stage = "map";
+
+/** The settings of all stages but the first and the last one. */
+ChainSettings
+settingsOf(const ChainOptions& options, unsigned threads)
+{
+  ChainSettings settings;
+  if (options.planes.paper)
+    settings.mode = MappingMode::Paper;
+  settings.odometry.setEgomotion(options.egomotion.stage);
+  if (options.rectification.up)
+    settings.levelling.setUpDirection(*options.rectification.up);
+  settings.rectification = options.rectification.stage;
+  settings.rectify = options.rectifies;
+  settings.adjust = options.egomotion.isRigid();
+  settings.skip_broken = options.texture.skip_broken;
+  settings.merging = mergingOf(options, threads);
+  settings.planes = mappingOf(options.planes, threads);
+  settings.texturing = options.texture.stage;
+  return settings;
+}
+
+StageLog
+logIn(const std::string& told, const std::string& stage, const StageStore& store)
+{
+  try {
+    return stageLogIn(Json::parse(told));
+  }
+  catch (const nlohmann::json::exception&) {
+    throw InputFileException(store.path(stage) +
+                             ": is damaged; remove it, and the stage runs again");
+  }
+}
+
+std::string
+textOf(const StageLog& log)
+{
+  return jsonOf(log).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/** Every n-th point of a map, for display: at most a million points. */
+PCLPointCloud2
+thinned(const CloudRows& map)
+{
+  constexpr std::size_t maximum = 1000000;
+  return everyNth(map, map.size() / maximum + 1);
+}
+
+/** Reports how much the processes had to tell each other. */
+void
+tellRanks(const CompactMappingReport& report, StageLog& log)
+{
+  constexpr double megabyte = 1e6;
+  log.details["ranks"] = {{"processes", report.ranks},
+                          {"messages", report.rank_messages},
+                          {"bytes", report.rank_bytes}};
+  log.tell("ranks",
+           std::to_string(report.ranks) + ", " +
+               shortNumber(static_cast<double>(report.rank_bytes) / megabyte) +
+               " MB in " + std::to_string(report.rank_messages) + " messages");
+}
+
+void
+tellMerging(const MergingReport& report, std::size_t max_points, StageLog& log)
+{
+  if (report.every > 1)
+    log.warn("the map has more than " + std::to_string(max_points) +
+             " points (--max-points): it is made of each " +
+             std::to_string(report.every) + "th of them");
+  log.details["observations"] = report.observations;
+  log.tell("read",
+           std::to_string(report.observations) + " observations, " +
+               std::to_string(report.points) + " points");
+  if (report.refined > 0)
+    log.tell("refined",
+             "the quantised depth of " + std::to_string(report.refined) +
+                 " observations");
+}
+
+} // namespace
+
+void
+tellExtension(const SequenceAlignmentReport& report, StageLog& log)
+{
+  log.details["proposals"] = report.revisits.proposals;
+  log.details.update(fieldsOf(report, {{"revisits"}}));
+  log.tell("joined",
+           "at " + std::to_string(report.agreeing) + " of " +
+               std::to_string(report.places) + " places that both maps have seen");
+}
+
+MapRun::MapRun(const ChainOptions& options,
+               ValuesOfGroup values,
+               const RunControls& controls,
+               const PicturesApart& pictures,
+               OutputFolder& folder,
+               StageLog& log)
+: options_(options)
+, values_(std::move(values))
+, controls_(controls)
+, pictures_(pictures)
+, folder_(folder)
+, log_(log)
+, chain_(settingsOf(options, controls.threads))
+{
+  chain_.setStore(StageStore((fs::path(options.output) / "stages").string()));
+  chain_.setScratchFolder(folder.path(""), residentScratch(), memoryLimit());
+  chain_.setRanks(options.ranks);
+  chain_.setCostCallback(costCheck(controls_));
+  chain_.setNumberOfThreads(controls.threads);
+  chain_.setProgressCallback(controls.progress);
+  chain_.setStageCallback([this](const std::string& stage,
+                                 const ChainState& state,
+                                 OpenStage& open) { return tell(stage, state, open); });
+  if (!options.earlier.empty())
+    chain_.setEarlierObservations(openMappedObservations(options.earlier));
+}
+
+void
+MapRun::setInput(StartingPoint start,
+                 const std::optional<ObservationSequence>& recorded)
+{
+  const bool is_cloud = start == StartingPoint::Cloud;
+  chain_.settings().words = [this, is_cloud](const std::string& stage) {
+    const auto values = [&](const char* group) { return values_(group); };
+    Json words = stage == "egomotion"       ? values(egomotion_group)
+                 : stage == "rectification" ? values(rectification_group)
+                 : stage == last_stage      ? values(map_group)
+                                            : Json::object();
+    if (stage == last_stage && is_cloud) // its up direction is not used before the map
+      words.update(values(rectification_group));
+    words.erase("--no-pictures");
+    return words.dump(-1, ' ', false, Json::error_handler_t::replace);
+  };
+  if (is_cloud)
+    chain_.setInputCloud([this] { return loadCloud(); },
+                         stateOfFile(options_.input) + " " +
+                             std::to_string(controls_.scale));
+  else if (start == StartingPoint::Session || recorded)
+    chain_.setFirstStage(observationStage(start, recorded));
+  else
+    chain_.setInput(ObservationSequence(options_.input, controls_.scale),
+                    start == StartingPoint::PosedObservations);
+}
+
+ChainStage
+MapRun::observationStage(StartingPoint start,
+                         const std::optional<ObservationSequence>& recorded)
+{
+  const bool is_session = start == StartingPoint::Session;
+  const std::string folder = chain_.getStore().path(first_stage);
+  ChainStage stage;
+  stage.name = first_stage;
+  stage.take = [this, start, folder, is_session, recorded](
+                   ChainState& state, const ChainSettings&, const StageStore&) {
+    const double scale = is_session ? 1 : controls_.scale;
+    state.observations.emplace(folder, scale);
+    if (recorded)
+      state.observations = state.observations->withShift(scale * recorded->shift());
+    state.has_poses =
+        start == StartingPoint::PosedObservations || !options_.stereo.poses.empty();
+  };
+  stage.key = [this,
+               is_session](const ChainState&, const ChainSettings&, StageKey& key) {
+    key.add("input",
+            is_session ? stateOf(options_.input, filesIn(options_.input))
+                       : stateOfFile(options_.input));
+    key.add("options", values_(is_session ? stereo_group : bag_group).dump());
+    key.add("scale", std::to_string(controls_.scale));
+    if (!options_.stereo.poses.empty())
+      key.add("poses", stateOfFile(options_.stereo.poses));
+  };
+  stage.run = [this, folder, is_session, recorded, take = stage.take](
+                  ChainState& state,
+                  const ChainSettings& settings,
+                  const StageRun& run,
+                  OpenStage& open) {
+    RunControls controls = controls_;
+    controls.progress = run.progress;
+    first_log_ = StageLog();
+    if (is_session) {
+      StereoOptions stereo = options_.stereo;
+      stereo.session = options_.input;
+      stereo.output = folder;
+      stereo.goes_on = true;
+      try {
+        makeObservations(stereo, controls, first_log_);
+      }
+      catch (const InterruptedPartway&) {
+        open.keepParts();
+        throw;
+      }
+    }
+    else
+      importRecording(options_.input, *recorded, folder, controls, first_log_);
+    take(state, settings, chain_.getStore());
+  };
+  return stage;
+}
+
+ChainCloud
+MapRun::loadCloud()
+{
+  ChainCloud cloud;
+  const auto file = std::make_shared<PointCloudFile>();
+  cloud.rows = loadCloudRows(options_.input, controls_.scale, *file);
+  const std::optional<Eigen::Vector3d>& up = options_.rectification.up;
+  if (up && file->sensor_origin.isZero(0))
+    file->up = up->normalized().cast<float>();
+  if (up)
+    cloud.up = up->normalized();
+  else if (file->up)
+    cloud.up = file->up->cast<double>();
+  requirePoints(cloud.rows);
+  cloud.viewpoints = viewpointsOfFile(*file, options_.input, controls_.scale, map_log_);
+  cloud.file = file;
+  return cloud;
+}
+
+ChainStage
+MapRun::mapStage(bool has_pictures)
+{
+  ChainStage stage;
+  stage.name = last_stage;
+  stage.result_folder = options_.output;
+  stage.key = [has_pictures](const ChainState&, const ChainSettings&, StageKey& key) {
+    key.add("pictures", has_pictures ? "yes" : "no");
+  };
+  stage.run = [this](ChainState& state,
+                     const ChainSettings&,
+                     const StageRun&,
+                     OpenStage& open) {
+    stopIfInterrupted();
+    if (state.observations) {
+      saveTrajectory(folder_.path(trajectory_name), state.map.trajectory);
+      saveObservationList((fs::path(options_.output) / observation_list_name).string(),
+                          options_.output,
+                          *state.observations);
+    }
+    if (!state.before.poses.empty())
+      takeAlong(chain_.getStore(), state.before, folder_);
+    try {
+      open.setResults(
+          writeMap(options_, state.planes, state.map, pictures_, folder_, map_log_));
+    }
+    catch (const InterruptedPartway&) {
+      open.keepParts();
+      throw;
+    }
+  };
+  return stage;
+}
+
+std::string
+MapRun::tell(const std::string& stage, const ChainState& state, OpenStage& open)
+{
+  StageLog log;
+  if (stage == first_stage)
+    log = std::move(first_log_);
+  else if (stage == last_stage)
+    log = std::move(map_log_);
+  else if (open.path("").empty()) {
+    tellPassing(stage, state);
+    return {};
+  }
+  else
+    tellPoses(stage, state, open, log);
+  return textOf(log);
+}
+
+void
+MapRun::tellPoses(const std::string& stage,
+                  const ChainState& state,
+                  const OpenStage& open,
+                  StageLog& log) const
+{
+  const CompactMappingReport& report = state.report;
+  log.report.seconds = state.stage.seconds;
+  StepTimer timer(log.report);
+  if (stage == "egomotion") {
+    EgomotionOptions egomotion = options_.egomotion;
+    egomotion.output = open.path("");
+    tellOdometry(egomotion, *state.given, *report.odometry, open.path("plan.png"), log);
+  }
+  else
+    log.warn(state.stage.remarks);
+  if (stage == "extension")
+    tellExtension(*report.extension, log);
+  if (stage == "rectification") {
+    RectificationOptions rectification = options_.rectification;
+    rectification.folder = options_.input;
+    rectification.output = open.path("");
+    const ObservationSequence& posed = *state.observations;
+    std::vector<Eigen::Isometry3d> poses;
+    for (std::size_t i = 0; i < posed.size(); ++i)
+      poses.push_back(posed.pose(i));
+    drawRectification(state.rectified.clouds,
+                      state.before.poses,
+                      poses,
+                      report.levelling->axis,
+                      *report.rectification,
+                      [&](const char* name) { return open.path(name); });
+    tellConsolidated(*report.consolidation,
+                     posed.size(),
+                     rectification.stage.getMode() == RectificationMode::Paper,
+                     log);
+    tellRectification(rectification, *report.levelling, *report.rectification, log);
+    log.details["posed_files"] = posed.names();
+  }
+  if (stage == "adjustment")
+    tellAdjustment(*report.adjustment, report.revisits, log);
+  timer.finish("write");
+  log.tellSeconds();
+}
+
+void
+MapRun::tellPassing(const std::string& stage, const ChainState& state)
+{
+  const CompactMappingReport& report = state.report;
+  map_log_.warn(state.stage.remarks);
+  if (stage != "planes") // its steps are told one by one
+    for (const auto& step : state.stage.seconds)
+      map_log_.report.seconds.push_back(step);
+  if (stage == "cloud" || stage == "merging") {
+    const PointView points = requirePoints(state.cloud.rows);
+    warnOfLengths(points, controls_, map_log_);
+    if (const double size = options_.planes.stage.getConsolidation().getVoxelSize();
+        size > 0)
+      requireFineLength("--consolidate", size, points, map_log_);
+  }
+  if (stage == "merging")
+    tellMerging(report.merging, options_.max_points, map_log_);
+  if (stage == "planes") {
+    tellMapping(report.planes, map_log_);
+    warnOfSensor(options_.planes, state.planes, map_log_);
+    if (state.observations)
+      savePointCloud(folder_.path("map.pcd"), thinned(state.cloud.rows));
+    requirePlanes(options_.input, state.planes, map_log_);
+  }
+  if (stage == "texture") {
+    tellTexture(report.texture, map_log_);
+    if (state.work)
+      tellRanks(report, map_log_);
+  }
+}
+
+void
+MapRun::throwInterrupted(std::string last) const
+{
+  std::string finished = std::move(last);
+  for (auto stage = chain_.done().rbegin(); stage != chain_.done().rend(); ++stage)
+    finished = stage->name + (finished.empty() ? "" : ", ") + finished;
+  throw InterruptedPartway("interrupted; finished by then, and kept in " +
+                           chain_.getStore().path("") +
+                           " for the next run: " + finished);
+}
+
+void
+MapRun::replay()
+{
+  std::mutex drawing;
+  const auto window = options_.live
+                          ? std::make_unique<LiveWindow>(drawing, "pcl_compact_mapping")
+                          : nullptr;
+  StageKey key; // whoever asks for a replay does not want an earlier one
+  key.add("replayed",
+          std::to_string(std::chrono::system_clock::now().time_since_epoch().count()));
+  const StageStore& store = chain_.getStore();
+  OpenStage open = store.begin(last_stage, key, options_.output);
+  try {
+    open.setResults(mapAsRecorded(options_,
+                                  store.path("replay"),
+                                  pictures_,
+                                  window.get(),
+                                  folder_,
+                                  controls_,
+                                  map_log_));
+  }
+  catch (const InterruptedPartway&) {
+    open.keepParts();
+    throwInterrupted(std::string(last_stage) + " in part");
+  }
+  catch (...) {
+    log_.warn(map_log_.report.remarks);
+    throw;
+  }
+  const StageNotes notes = {textOf(map_log_), {}};
+  stages_.push_back({last_stage, std::move(map_log_), false, open.finish(notes)});
+}
+
+void
+MapRun::run(StartingPoint start, const std::optional<ObservationSequence>& recorded)
+{
+  setInput(start, recorded);
+  // pictures of the same map are kept, even if this run would not draw any
+  const bool has_pictures = pictures_.canBeDrawn() || chain_.wouldTake(mapStage(true));
+  chain_.append(mapStage(has_pictures));
+  try {
+    chain_.run();
+  }
+  catch (const InterruptedPartway&) {
+    throwInterrupted((chain_.running() == first_stage ? first_stage : last_stage) +
+                     std::string(" in part"));
+  }
+  catch (const CancelledException&) {
+    if (chain_.done().empty())
+      throw;
+    throwInterrupted("");
+  }
+  catch (const UnorganizedPointCloudException&) {
+    throw UsageError(needs_picture);
+  }
+  catch (...) { // remarks often explain the failure
+    log_.warn(first_log_.report.remarks);
+    log_.warn(map_log_.report.remarks);
+    log_.warn(chain_.state().stage.remarks);
+    if (chain_.state().report.odometry)
+      warnOfFreeMotion(chain_.state().report.odometry->free, log_);
+    throw;
+  }
+  for (const DoneStage& done : chain_.done())
+    stages_.push_back({done.name,
+                       logIn(done.told, done.name, chain_.getStore()),
+                       done.is_taken,
+                       done.removed});
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,262 @@
+#include "chain_stages.h"
+#include "part_of_progress.h"
+
+#include <pcl/core/exceptions.h>
+#include <pcl/core/scratch_memory.h>
+#include <pcl/pipeline/chain.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** The part of the progress of the chain that a first stage has. */
+constexpr double share_of_first = 0.5;
+
+void
+appendNew(const std::vector<std::string>& remarks, std::vector<std::string>& all)
+{
+  for (const std::string& remark : remarks)
+    if (std::find(all.begin(), all.end(), remark) == all.end())
+      all.push_back(remark);
+}
+
+double
+sumOf(const Report& report)
+{
+  double sum = 0;
+  for (const auto& [step, seconds] : report.seconds)
+    sum += seconds;
+  return sum;
+}
+
+} // namespace
+
+Chain::Chain()
+: Chain(ChainSettings())
+{}
+
+Chain::Chain(ChainSettings settings)
+: settings_(std::move(settings))
+, stages_(chainStages())
+{}
+
+Chain::~Chain() = default;
+
+void
+Chain::setInput(const ObservationSequence& observations, bool has_poses)
+{
+  setInput(nullptr, observations, has_poses);
+}
+
+void
+Chain::setInput(std::shared_ptr<ObservationStream> stream,
+                const ObservationSequence& observations,
+                bool has_poses)
+{
+  input_ = observations;
+  stream_ = std::move(stream);
+  has_poses_ = has_poses;
+}
+
+void
+Chain::setInputCloud(CloudLoader load, const std::string& state)
+{
+  load_cloud_ = std::move(load);
+  cloud_state_ = state;
+}
+
+void
+Chain::setFirstStage(ChainStage stage)
+{
+  first_ = std::move(stage);
+}
+
+void
+Chain::setScratchFolder(std::string folder, std::size_t resident, std::size_t limit)
+{
+  scratch_folder_ = std::move(folder);
+  scratch_resident_ = resident;
+  scratch_limit_ = limit;
+}
+
+void
+Chain::begin()
+{
+  done_.clear();
+  scratch_.reset();
+  progress_before_ = 0;
+  state_ = ChainState();
+  state_.observations = input_;
+  state_.has_poses = has_poses_;
+  state_.stream = stream_;
+  state_.earlier = earlier_;
+  state_.noise = settings_.rectification.getOdometryNoise();
+  state_.report.mode = settings_.mode;
+  key_before_ = cloud_state_;
+  if (input_ && store_.isFolder())
+    key_before_ = input_->fingerprint();
+}
+
+bool
+Chain::applies(const ChainStage& stage) const
+{
+  return !stage.applies || stage.applies(state_, settings_);
+}
+
+StageKey
+Chain::keyOf(const ChainStage& stage) const
+{
+  StageKey key;
+  if (!store_.isFolder())
+    return key;
+  if (stage.key)
+    stage.key(state_, settings_, key);
+  if (settings_.words)
+    key.add("settings", settings_.words(stage.name));
+  if (settings_.mode == MappingMode::Paper)
+    key.add("mode", "paper");
+  key.add("before", key_before_);
+  return key;
+}
+
+void
+Chain::runStage(const ChainStage& stage, OpenStage& open)
+{
+  state_.stage = Report();
+  running_ = stage.name;
+  const double begin = first_ ? share_of_first : 0;
+  const double end =
+      first_ && stage.name == first_->name ? begin : begin + (1 - begin) * stage.end;
+  const StageRun run = {threads_,
+                        partOf(progress_, progress_before_, end),
+                        cost_,
+                        ranks_,
+                        scratch_folder_,
+                        scratch_resident_};
+  stage.run(state_, settings_, run, open);
+  progress_before_ = end;
+  std::vector<std::string> remarks; // a broken observation is told once
+  appendNew(state_.stage.remarks, remarks);
+  const std::vector<std::string>& told = state_.report.remarks;
+  const auto is_told = [&](const std::string& remark) {
+    return std::find(told.begin(), told.end(), remark) != told.end();
+  };
+  remarks.erase(std::remove_if(remarks.begin(), remarks.end(), is_told), remarks.end());
+  state_.stage.remarks = std::move(remarks);
+}
+
+void
+Chain::runKept(const ChainStage& stage, const StageKey& key)
+{
+  OpenStage open = store_.begin(stage.name, key, stage.result_folder);
+  runStage(stage, open);
+  StageNotes notes;
+  if (callback_)
+    notes.told = callback_(stage.name, state_, open);
+  notes.remarks = state_.stage.remarks;
+  DoneStage done{stage.name, notes.told, false, open.finish(notes)};
+  appendNew(notes.remarks, state_.report.remarks);
+  state_.report.seconds.emplace_back(stage.name, sumOf(state_.stage));
+  done_.push_back(std::move(done));
+}
+
+void
+Chain::runPassing(const ChainStage& stage)
+{
+  if (!scratch_ && !scratch_folder_.empty())
+    scratch_ = std::make_shared<ScratchMemory>(
+        scratch_folder_, scratch_resident_, scratch_limit_);
+  OpenStage in_memory;
+  runStage(stage, in_memory);
+  if (callback_)
+    callback_(stage.name, state_, in_memory);
+  appendNew(state_.stage.remarks, state_.report.remarks);
+  state_.report.seconds.emplace_back(stage.name, sumOf(state_.stage));
+}
+
+void
+Chain::take(const ChainStage& stage, StageNotes notes)
+{
+  if (stage.take)
+    stage.take(state_, settings_, store_);
+  appendNew(notes.remarks, state_.report.remarks);
+  done_.push_back({stage.name, std::move(notes.told), true, {}});
+}
+
+bool
+Chain::wouldTake(const ChainStage& wanted)
+{
+  if (!store_.isFolder())
+    return false;
+  std::vector<ChainStage> stages = stages_;
+  if (first_)
+    stages.insert(stages.begin(), *first_);
+  begin();
+  for (const ChainStage& stage : stages) {
+    if (!stage.is_kept || !applies(stage))
+      continue;
+    const StageKey key = keyOf(stage);
+    if (!store_.find(stage.name, key, stage.result_folder))
+      return false;
+    if (stage.take)
+      stage.take(state_, settings_, store_);
+    key_before_ = key.fingerprint();
+  }
+  return store_.find(wanted.name, keyOf(wanted), wanted.result_folder).has_value();
+}
+
+const ChainState&
+Chain::run(const std::string& last)
+{
+  begin();
+  std::vector<ChainStage> stages = stages_;
+  if (load_cloud_)
+    stages.insert(stages.begin(), cloudStage(load_cloud_));
+  if (first_)
+    stages.insert(stages.begin(), *first_);
+  std::vector<const ChainStage*> passing; // until a stage behind them must run
+  bool has_run = false;
+  const auto run_passing = [&] {
+    for (const ChainStage* const stage : passing)
+      runPassing(*stage);
+    passing.clear();
+  };
+  for (const ChainStage& stage : stages) {
+    const bool is_last = stage.name == last || &stage == &stages.back();
+    if (applies(stage)) {
+      if (!stage.is_kept)
+        passing.push_back(&stage);
+      else {
+        const StageKey key = keyOf(stage);
+        std::optional<StageNotes> notes;
+        if (!has_run)
+          notes = store_.find(stage.name, key, stage.result_folder);
+        if (notes) {
+          passing.clear();
+          take(stage, std::move(*notes));
+        }
+        else {
+          run_passing();
+          runKept(stage, key);
+          has_run = true;
+        }
+        key_before_ = key.fingerprint();
+      }
+    }
+    if (is_last)
+      break;
+  }
+  run_passing();
+  if (scratch_ && scratch_->getRefused() > 0)
+    state_.report.remarks.push_back("the disk is full, " +
+                                    std::to_string(scratch_->getRefused()) +
+                                    " bytes of points stayed in memory");
+  scratch_.reset();
+  report_ = state_.report;
+  return state_;
+}
+
+} // namespace pcl::acmap

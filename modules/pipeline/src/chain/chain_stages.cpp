@@ -1,0 +1,531 @@
+#include "chain_stages.h"
+#include "part_of_progress.h"
+
+#include <pcl/pipeline/ranked_work.h>
+#include <pcl/pipeline/sequence_adjustment.h>
+#include <pcl/pipeline/sequence_alignment.h>
+#include <pcl/texture/floor_plan.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <utility>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr const char* before_name = "trajectory_before.txt";
+
+/** Fractions of the progress at the end of each stage. */
+constexpr double odometry_end = 0.2, extension_end = 0.22, rectification_end = 0.45,
+                 adjustment_end = 0.5, merging_end = 0.6, planes_end = 0.8,
+                 texture_end = 0.95;
+
+void
+addRemarks(const Report& step, ChainState& state)
+{
+  std::vector<std::string>& remarks = state.stage.remarks;
+  remarks.insert(remarks.end(), step.remarks.begin(), step.remarks.end());
+}
+
+void
+setPoses(ChainState& state, EstimatedPoses poses)
+{
+  state.given = state.observations;
+  state.observations = state.given->withPoses(poses.places, poses.trajectory);
+  state.estimated = std::move(poses);
+}
+
+bool
+hasSeveral(const ChainState& state)
+{
+  return state.observations && state.observations->size() > 1;
+}
+
+/** Reads all observations into a stream, which works meanwhile. */
+std::shared_ptr<ObservationStream>
+fed(const ChainState& state, const ChainSettings& settings, const StageRun& run)
+{
+  ObservationStream::Steps steps = streamSteps(settings, run.threads);
+  steps.keeps_clouds = false;
+  steps.consolidates = settings.rectify;
+  const auto stream = std::make_shared<ObservationStream>(std::move(steps));
+  const Progress progress(run.progress);
+  const ObservationSequence& sequence = *state.observations;
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    progress.tell(static_cast<double>(i) / static_cast<double>(sequence.size()),
+                  "estimating");
+    stream->add(sequence.load(i).file, std::nullopt, sequence.path(i));
+  }
+  return stream;
+}
+
+void
+takeNoise(ChainState& state, const ChainSettings& settings)
+{
+  if (state.estimated.noise && !settings.rectification.hasOdometryNoise())
+    state.noise = *state.estimated.noise;
+}
+
+/** Consolidated points of the observations that have a pose, if a stream made them. */
+void
+takeConsolidated(ChainState& state, const ChainSettings& settings)
+{
+  if (!state.stream || !settings.rectify)
+    return;
+  const std::vector<ConsolidatedObservation>& all = state.stream->consolidated();
+  for (const std::size_t place : state.estimated.places)
+    state.consolidated.push_back(all[place]);
+}
+
+/** II-B.1 */
+void
+runOdometry(ChainState& state,
+            const ChainSettings& settings,
+            const StageRun& run,
+            OpenStage& open)
+{
+  StepTimer timer(state.stage);
+  const ObservationSequence& sequence = *state.observations;
+  if (!state.stream)
+    state.stream = fed(state, settings, run);
+  state.stream->finish();
+  state.report.odometry = state.stream->odometry().finish(sequence.size());
+  const VisualOdometryResult& found = *state.report.odometry;
+  if (found.posed() == 0)
+    throw EmptyInputException(
+        "no observation could be joined to another one; the first one " +
+        found.reasonOf(0, sequence.names()));
+  std::vector<double> stamps;
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    stamps.push_back(sequence.stamp(i));
+    if (!found.poses[i])
+      state.stage.remarks.push_back("lost: " + sequence.name(i) + ": " +
+                                    found.reasonOf(i, sequence.names()));
+  }
+  setPoses(state, open.put(found.estimated(stamps)));
+  takeNoise(state, settings);
+  takeConsolidated(state, settings);
+  timer.finish("estimate");
+}
+
+void
+runExtension(ChainState& state,
+             const ChainSettings& settings,
+             const StageRun& run,
+             OpenStage& open)
+{
+  StepTimer timer(state.stage);
+  const ObservationSequence joined = state.earlier->followedBy(*state.observations);
+  SequenceAlignment alignment;
+  alignment.setInputTarget(*state.earlier);
+  alignment.setMotionModel(settings.odometry.getEgomotion().getMotionModel());
+  alignment.setNumberOfThreads(run.threads);
+  alignment.setProgressCallback(run.progress);
+  const EstimatedPoses poses = open.put(
+      extendedPoses(joined, state.earlier->size(), alignment, state.estimated.noise));
+  state.report.extension = alignment.getReport();
+  addRemarks(*state.report.extension, state);
+  state.observations = joined;
+  setPoses(state, poses);
+  takeNoise(state, settings);
+  timer.finish("align");
+}
+
+/** The vertical before the rectification: as it was given, that of a surveyed grid, the
+ * paper's, or by the points. */
+MapLevelling<PointNormal>
+levellingOf(const ChainState& state, const ChainSettings& settings)
+{
+  MapLevelling<PointNormal> levelling = settings.levelling;
+  if (levelling.getUpDirection())
+    return levelling;
+  if (!state.observations->shift().isZero(0))
+    levelling.setUpDirection(Eigen::Vector3d::UnitZ());
+  else if (settings.rectification.getMode() == RectificationMode::Paper)
+    levelling.setUpDirection(-Eigen::Vector3d::UnitY());
+  return levelling;
+}
+
+/** Do all poses have the same height, and rotate about y only, as for motions on a
+ * floor? */
+bool
+areOnAFloor(const std::vector<Eigen::Isometry3d>& poses)
+{
+  constexpr double level = 1 - 1e-8, height = 1e-4; // cosine, metres
+  return poses.size() > 1 &&
+         std::all_of(poses.begin(), poses.end(), [&](const Eigen::Isometry3d& pose) {
+           const double rise = pose.translation().y() - poses[0].translation().y();
+           return pose.linear()(1, 1) > level && std::abs(rise) < height;
+         });
+}
+
+void
+levelAll(ChainState& state, const ChainSettings& settings, unsigned threads)
+{
+  constexpr double strong = 10 * M_PI / 180;
+  const bool is_on_a_floor = areOnAFloor(state.rectified.trajectory.poses);
+  state.report.levelling =
+      levelObservations(levellingOf(state, settings), state.rectified, threads);
+  addRemarks(*state.report.levelling, state);
+  if (state.report.levelling->tilt > strong && is_on_a_floor)
+    state.stage.remarks.push_back(
+        "the map was not level, but its poses turn about y only: where a hand held the "
+        "camera, find them again with --6dof (of pcl_visual_egomotion or "
+        "pcl_compact_mapping; MotionModel::Rigid)");
+}
+
+void
+consolidateAll(ChainState& state, const ChainSettings& settings, const StageRun& run)
+{
+  const ObservationSequence& sequence = *state.observations;
+  SequenceConsolidation consolidation;
+  consolidation.setSkipBroken(settings.skip_broken);
+  consolidation.setRawPoints(settings.rectification.getMode() ==
+                             RectificationMode::Paper);
+  consolidation.setNumberOfThreads(run.threads);
+  consolidation.setProgressCallback(partOf(run.progress, 0, 0.4));
+  if (state.stream && state.has_poses)
+    state.consolidated = state.stream->consolidated();
+  if (!state.consolidated.empty()) {
+    std::vector<ConsolidatedObservation> done;
+    for (std::size_t i = 0; i + state.consolidated.size() < sequence.size(); ++i)
+      done.push_back( // of the earlier map
+          consolidation.consolidate(*sequence.load(i).file, sequence.path(i)));
+    std::move(
+        state.consolidated.begin(), state.consolidated.end(), std::back_inserter(done));
+    state.consolidated.clear();
+    consolidation.setConsolidated(std::move(done));
+  }
+  consolidation.compute(sequence, state.rectified);
+  state.report.consolidation = consolidation.getReport();
+  addRemarks(*state.report.consolidation, state);
+}
+
+/** II-B.2 */
+void
+runRectification(ChainState& state,
+                 const ChainSettings& settings,
+                 const StageRun& run,
+                 OpenStage& open)
+{
+  StepTimer timer(state.stage);
+  consolidateAll(state, settings, run);
+  timer.finish("read");
+  ConsolidatedObservations& observations = state.rectified;
+  levelAll(state, settings, run.threads);
+  EntropyRectification<PointNormal> rectification = settings.rectification;
+  rectification.setUpDirection(state.report.levelling->axis);
+  rectification.setOdometryNoise(state.noise);
+  rectification.setNumberOfThreads(run.threads);
+  rectification.setProgressCallback(partOf(run.progress, 0.4, 1));
+  rectification.clear();
+  for (std::size_t i = 0; i < observations.clouds.size(); ++i)
+    rectification.addPointCloud(observations.clouds[i],
+                                observations.trajectory.poses[i],
+                                observations.weights[i]);
+  rectification.compute();
+  state.report.rectification = rectification.getReport();
+  addRemarks(*state.report.rectification, state);
+  EstimatedPoses poses = {
+      observations.places, observations.trajectory, std::nullopt, std::nullopt};
+  if (state.report.levelling->found)
+    poses.up = state.report.levelling->axis;
+  for (std::size_t i = 0; i < poses.places.size(); ++i)
+    poses.trajectory.poses[i] = rectification.getPose(i);
+  state.before = open.put(before_name, observations.trajectory);
+  setPoses(state, open.put(poses));
+  timer.finish("rectify");
+}
+
+void
+runAdjustment(ChainState& state,
+              const ChainSettings&,
+              const StageRun& run,
+              OpenStage& open)
+{
+  StepTimer timer(state.stage);
+  const ObservationSequence& sequence = *state.observations;
+  SequenceAdjustment adjustment;
+  adjustment.setOdometryNoise(state.noise);
+  adjustment.setNumberOfThreads(run.threads);
+  adjustment.setProgressCallback(run.progress);
+  adjustment.setPosesBefore(state.before.poses);
+  EstimatedPoses poses;
+  adjustment.compute(sequence, poses.trajectory);
+  state.report.adjustment = adjustment.getReport();
+  state.report.revisits = adjustment.getRevisitReport();
+  addRemarks(*state.report.adjustment, state);
+  for (std::size_t i = 0; i < sequence.size(); ++i)
+    poses.places.push_back(i);
+  poses.up = state.estimated.up;
+  setPoses(state, open.put(poses));
+  timer.finish("adjust");
+}
+
+void
+runMerging(ChainState& state,
+           const ChainSettings& settings,
+           const StageRun& run,
+           OpenStage&)
+{
+  StepTimer timer(state.stage);
+  ObservationMerging merging = settings.merging;
+  merging.setSkipBroken(settings.skip_broken);
+  if (settings.mode != MappingMode::Paper &&
+      settings.planes.getUsedDepthSensor() == DepthSensor::Laser)
+    merging.setDepthSensor(DepthSensor::Laser);
+  merging.setNumberOfThreads(run.threads);
+  merging.setProgressCallback(run.progress);
+  state.work = shareOut(run.ranks,
+                        *state.observations,
+                        run.threads,
+                        run.scratch_folder,
+                        run.scratch_resident,
+                        state.stage.remarks);
+  merging.setRankedWork(state.work);
+  MergedCloud merged;
+  merging.compute(*state.observations, merged);
+  state.report.merging = merging.getReport();
+  addRemarks(state.report.merging, state);
+  state.cloud = {
+      std::move(merged.cloud), nullptr, std::move(merged.viewpoints), std::nullopt};
+  timer.finish("read");
+}
+
+/** II-C.1 and II-C.2 */
+void
+runPlanes(ChainState& state,
+          const ChainSettings& settings,
+          const StageRun& run,
+          OpenStage&)
+{
+  StepTimer timer(state.stage);
+  PlaneMapping planes = settings.planes;
+  planes.setInputCloud(state.cloud.rows, state.cloud.file);
+  planes.setViewpoints(state.cloud.viewpoints);
+  if (state.observations)
+    planes.setDepthSensor(
+        sensorOfMerged(planes.getDepthSensor(), state.cloud.viewpoints.size()));
+  planes.setNumberOfThreads(run.threads);
+  if (run.cost)
+    planes.setCostCallback(run.cost);
+  planes.setProgressCallback(run.progress);
+  planes.compute(state.planes);
+  state.report.planes = planes.getReport();
+  addRemarks(state.report.planes, state);
+  timer.finish("planes");
+}
+
+/** II-C */
+void
+runTexturing(ChainState& state,
+             const ChainSettings& settings,
+             const StageRun& run,
+             OpenStage&)
+{
+  StepTimer timer(state.stage);
+  if (state.observations)
+    state.cloud = ChainCloud(); // the map may need the memory
+  state.map = CompactMap();
+  const MappedPlanes& found = state.planes;
+  if (found.planes.empty() && found.cylinders.empty())
+    return;
+  PlaneTexturing<PointXYZRGB> texturing = settings.texturing;
+  texturing.setPlanes(found.planes);
+  texturing.setCylinders(found.cylinders);
+  texturing.clearObservations();
+  CompactMap& map = state.map;
+  if (state.observations)
+    addObservations(
+        state.work.get(),
+        state.observations->size(),
+        [&](std::size_t i) {
+          return loadTextured(*state.observations, i, settings.skip_broken);
+        },
+        texturing);
+  else
+    texturing.addObservationLoader([&]() -> std::optional<TexturedObservation> {
+      return TexturedObservation{
+          state.cloud.rows, Eigen::Isometry3d::Identity(), 0, false};
+    });
+  texturing.setNumberOfThreads(run.threads);
+  texturing.setProgressCallback(run.progress);
+  if (run.cost)
+    run.cost("painting the planes", wholeBytes(texturing.estimateMemory()), 0);
+  texturing.texture(map);
+  state.report.texture = texturing.getReport();
+  addRemarks(state.report.texture, state);
+  map.boxes = found.boxes;
+  map.recesses = found.recesses;
+  if (state.observations) {
+    map.up = state.estimated.up.value_or(Eigen::Vector3d::Zero());
+    map.shift = state.observations->shift();
+  }
+  else {
+    map.up = state.cloud.up.value_or(Eigen::Vector3d::Zero());
+    map.shift = state.cloud.file->shift;
+  }
+  setRooms(makeFloorPlan(map), map);
+  if (state.work) {
+    state.report.ranks = run.ranks->size();
+    state.report.rank_messages = run.ranks->getNumberOfMessages();
+    state.report.rank_bytes = run.ranks->getNumberOfBytes();
+  }
+  timer.finish("paint");
+}
+
+void
+addMotionModel(const ChainSettings& settings, StageKey& key)
+{
+  const bool is_rigid =
+      settings.odometry.getEgomotion().getMotionModel() == MotionModel::Rigid;
+  key.add("motion", is_rigid ? "rigid" : "planar");
+}
+
+std::string
+textOf(const OdometryNoise& noise)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << noise.length << ' ' << noise.length_per_metre << ' ' << noise.turn << ' '
+       << noise.turn_per_radian;
+  return text.str();
+}
+
+} // namespace
+
+std::vector<ChainStage>
+chainStages()
+{
+  ChainStage odometry;
+  odometry.name = "egomotion";
+  odometry.applies = [](const ChainState& state, const ChainSettings&) {
+    return !state.has_poses && hasSeveral(state);
+  };
+  odometry.key = [](const ChainState&, const ChainSettings& settings, StageKey& key) {
+    addMotionModel(settings, key);
+  };
+  odometry.run = runOdometry;
+  odometry.take =
+      [](ChainState& state, const ChainSettings& settings, const StageStore& store) {
+        setPoses(state, store.poses("egomotion"));
+        takeNoise(state, settings);
+        takeConsolidated(state, settings);
+      };
+  odometry.end = odometry_end;
+
+  ChainStage extension;
+  extension.name = "extension";
+  extension.applies = [](const ChainState& state, const ChainSettings&) {
+    return state.earlier.has_value();
+  };
+  extension.key =
+      [](const ChainState& state, const ChainSettings& settings, StageKey& key) {
+        key.add("earlier", state.earlier->fingerprint());
+        addMotionModel(settings, key);
+      };
+  extension.run = runExtension;
+  extension.take =
+      [](ChainState& state, const ChainSettings& settings, const StageStore& store) {
+        state.observations = state.earlier->followedBy(*state.observations);
+        setPoses(state, store.poses("extension"));
+        takeNoise(state, settings);
+      };
+  extension.end = extension_end;
+
+  ChainStage rectification;
+  rectification.name = "rectification";
+  rectification.applies = [](const ChainState& state, const ChainSettings& settings) {
+    return settings.rectify && (hasSeveral(state) || settings.rectifies_one);
+  };
+  rectification.key =
+      [](const ChainState& state, const ChainSettings& settings, StageKey& key) {
+        key.add("noise", textOf(state.noise));
+        key.add("skips_broken", settings.skip_broken ? "yes" : "no");
+      };
+  rectification.run = runRectification;
+  rectification.take =
+      [](ChainState& state, const ChainSettings&, const StageStore& store) {
+        setPoses(state, store.poses("rectification"));
+        state.before = loadTrajectory(store.path("rectification", before_name));
+      };
+  rectification.end = rectification_end;
+
+  ChainStage adjustment;
+  adjustment.name = "adjustment";
+  adjustment.applies = [](const ChainState& state, const ChainSettings& settings) {
+    return settings.adjust && hasSeveral(state);
+  };
+  adjustment.key = [](const ChainState& state, const ChainSettings&, StageKey& key) {
+    key.add("noise", textOf(state.noise));
+  };
+  adjustment.run = runAdjustment;
+  adjustment.take =
+      [](ChainState& state, const ChainSettings&, const StageStore& store) {
+        setPoses(state, store.poses("adjustment"));
+      };
+  adjustment.end = adjustment_end;
+
+  ChainStage merging;
+  merging.name = "merging";
+  merging.is_kept = false;
+  merging.applies = [](const ChainState& state, const ChainSettings&) {
+    return state.observations.has_value();
+  };
+  merging.run = runMerging;
+  merging.end = merging_end;
+
+  ChainStage planes;
+  planes.name = "planes";
+  planes.is_kept = false;
+  planes.run = runPlanes;
+  planes.end = planes_end;
+
+  ChainStage texture;
+  texture.name = "texture";
+  texture.is_kept = false;
+  texture.run = runTexturing;
+  texture.end = texture_end;
+
+  return {odometry, extension, rectification, adjustment, merging, planes, texture};
+}
+
+ChainStage
+cloudStage(Chain::CloudLoader load)
+{
+  ChainStage stage;
+  stage.name = "cloud";
+  stage.is_kept = false;
+  stage.run = [load = std::move(load)](ChainState& state,
+                                       const ChainSettings&,
+                                       const StageRun& run,
+                                       OpenStage&) {
+    StepTimer timer(state.stage);
+    const Progress progress(run.progress);
+    progress.tell(0, "reading");
+    state.cloud = load();
+    timer.finish("read");
+  };
+  stage.end = 0.1;
+  return stage;
+}
+
+ObservationStream::Steps
+streamSteps(const ChainSettings& settings, unsigned threads)
+{
+  ObservationStream::Steps steps;
+  steps.odometry = settings.odometry;
+  steps.odometry.setNumberOfThreads(threads);
+  steps.consolidation.setRawPoints(settings.rectification.getMode() ==
+                                   RectificationMode::Paper);
+  steps.consolidation.setNumberOfThreads(threads);
+  return steps;
+}
+
+} // namespace pcl::acmap

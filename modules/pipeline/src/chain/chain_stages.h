@@ -1,0 +1,24 @@
+#pragma once
+
+#include "observation_stream.h"
+
+#include <pcl/pipeline/chain.h>
+
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief The stages of a chain in their order: poses (II-B), merging, planes (II-C.1 and
+ * 2) and textures (II-C). */
+std::vector<ChainStage>
+chainStages();
+
+/** \brief Reads the one cloud that is the input. */
+ChainStage
+cloudStage(Chain::CloudLoader load);
+
+/** \brief The steps with which observations are processed as they arrive. */
+ObservationStream::Steps
+streamSteps(const ChainSettings& settings, unsigned threads);
+
+} // namespace pcl::acmap
