@@ -68,9 +68,9 @@ logIn(const std::string& told, const std::string& stage, const StageStore& store
 }
 
 std::string
-textOf(const StageLog& log)
+textOf(const Json& json)
 {
-  return jsonOf(log).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /** Every n-th point of a map, for display: at most a million points. */
@@ -156,17 +156,6 @@ MapRun::setInput(StartingPoint start,
                  const std::optional<ObservationSequence>& recorded)
 {
   const bool is_cloud = start == StartingPoint::Cloud;
-  chain_.settings().words = [this, is_cloud](const std::string& stage) {
-    const auto values = [&](const char* group) { return values_(group); };
-    Json words = stage == "egomotion"       ? values(egomotion_group)
-                 : stage == "rectification" ? values(rectification_group)
-                 : stage == last_stage      ? values(map_group)
-                                            : Json::object();
-    if (stage == last_stage && is_cloud) // its up direction is not used before the map
-      words.update(values(rectification_group));
-    words.erase("--no-pictures");
-    return words.dump(-1, ' ', false, Json::error_handler_t::replace);
-  };
   if (is_cloud)
     chain_.setInputCloud([this] { return loadCloud(); },
                          stateOfFile(options_.input) + " " +
@@ -200,8 +189,8 @@ MapRun::observationStage(StartingPoint start,
     key.add("input",
             is_session ? stateOf(options_.input, filesIn(options_.input))
                        : stateOfFile(options_.input));
-    key.add("options", values_(is_session ? stereo_group : bag_group).dump());
-    key.add("scale", std::to_string(controls_.scale));
+    key.add("options", textOf(values_(is_session ? stereo_group : bag_group)));
+    key.add("scale", controls_.scale);
     if (!options_.stereo.poses.empty())
       key.add("poses", stateOfFile(options_.stereo.poses));
   };
@@ -253,12 +242,18 @@ MapRun::loadCloud()
 }
 
 ChainStage
-MapRun::mapStage(bool has_pictures)
+MapRun::mapStage(bool has_pictures, bool is_cloud)
 {
   ChainStage stage;
   stage.name = last_stage;
   stage.result_folder = options_.output;
-  stage.key = [has_pictures](const ChainState&, const ChainSettings&, StageKey& key) {
+  stage.key = [this, has_pictures, is_cloud](
+                  const ChainState&, const ChainSettings&, StageKey& key) {
+    Json values = values_(map_group);
+    if (is_cloud) // its up direction is not used before the map
+      values.update(values_(rectification_group));
+    values.erase("--no-pictures");
+    key.add("options", textOf(values));
     key.add("pictures", has_pictures ? "yes" : "no");
   };
   stage.run = [this](ChainState& state,
@@ -300,7 +295,7 @@ MapRun::tell(const std::string& stage, const ChainState& state, OpenStage& open)
   }
   else
     tellPoses(stage, state, open, log);
-  return textOf(log);
+  return textOf(jsonOf(log));
 }
 
 void
@@ -419,7 +414,7 @@ MapRun::replay()
     log_.warn(map_log_.report.remarks);
     throw;
   }
-  const StageNotes notes = {textOf(map_log_), {}};
+  const StageNotes notes = {textOf(jsonOf(map_log_)), {}};
   stages_.push_back({last_stage, std::move(map_log_), false, open.finish(notes)});
 }
 
@@ -428,8 +423,10 @@ MapRun::run(StartingPoint start, const std::optional<ObservationSequence>& recor
 {
   setInput(start, recorded);
   // pictures of the same map are kept, even if this run would not draw any
-  const bool has_pictures = pictures_.canBeDrawn() || chain_.wouldTake(mapStage(true));
-  chain_.append(mapStage(has_pictures));
+  const bool is_cloud = start == StartingPoint::Cloud;
+  const bool has_pictures =
+      pictures_.canBeDrawn() || chain_.wouldTake(mapStage(true, is_cloud));
+  chain_.append(mapStage(has_pictures, is_cloud));
   try {
     chain_.run();
   }

@@ -81,7 +81,7 @@ private:
   loadCloud();
 
   ChainStage
-  mapStage(bool has_pictures);
+  mapStage(bool has_pictures, bool is_cloud);
 
   std::string
   tell(const std::string& stage, const ChainState& state, OpenStage& open);

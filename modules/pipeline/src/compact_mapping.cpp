@@ -273,7 +273,6 @@ CompactMapping::makeMap(CompactMap& map)
                         "there are a sequence and observations: give one of both");
   const ObservationSequence sequence = sequence_ ? *sequence_ : collected();
   acmap::Chain chain(settings_);
-  chain.settings().words = [this](const std::string&) { return words_; };
   chain.setInput(
       stream_, sequence, sequence_ ? has_poses_ : poses_.front().has_value());
   if (earlier_)

@@ -114,8 +114,6 @@ Chain::keyOf(const ChainStage& stage) const
     return key;
   if (stage.key)
     stage.key(state_, settings_, key);
-  if (settings_.words)
-    key.add("settings", settings_.words(stage.name));
   if (settings_.mode == MappingMode::Paper)
     key.add("mode", "paper");
   key.add("before", key_before_);

@@ -9,9 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <locale>
-#include <sstream>
 #include <utility>
 
 namespace pcl::acmap {
@@ -204,6 +201,10 @@ consolidateAll(ChainState& state, const ChainSettings& settings, const StageRun&
   consolidation.compute(sequence, state.rectified);
   state.report.consolidation = consolidation.getReport();
   addRemarks(*state.report.consolidation, state);
+  if (state.report.consolidation->points == 0)
+    throw EmptyInputException(sequence.folder().empty()
+                                  ? "no observation has a point"
+                                  : sequence.folder() + ": has no point");
 }
 
 /** II-B.2 */
@@ -379,25 +380,6 @@ runTexturing(ChainState& state,
   timer.finish("paint");
 }
 
-void
-addMotionModel(const ChainSettings& settings, StageKey& key)
-{
-  const bool is_rigid =
-      settings.odometry.getEgomotion().getMotionModel() == MotionModel::Rigid;
-  key.add("motion", is_rigid ? "rigid" : "planar");
-}
-
-std::string
-textOf(const OdometryNoise& noise)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(std::numeric_limits<double>::max_digits10);
-  text << noise.length << ' ' << noise.length_per_metre << ' ' << noise.turn << ' '
-       << noise.turn_per_radian;
-  return text.str();
-}
-
 } // namespace
 
 std::vector<ChainStage>
@@ -409,7 +391,7 @@ chainStages()
     return !state.has_poses && hasSeveral(state);
   };
   odometry.key = [](const ChainState&, const ChainSettings& settings, StageKey& key) {
-    addMotionModel(settings, key);
+    key.addSettings("egomotion", settings.odometry.getEgomotion().settings());
   };
   odometry.run = runOdometry;
   odometry.take =
@@ -428,7 +410,9 @@ chainStages()
   extension.key =
       [](const ChainState& state, const ChainSettings& settings, StageKey& key) {
         key.add("earlier", state.earlier->fingerprint());
-        addMotionModel(settings, key);
+        key.add("model",
+                nameIn(motion_model_names,
+                       settings.odometry.getEgomotion().getMotionModel()));
       };
   extension.run = runExtension;
   extension.take =
@@ -446,8 +430,12 @@ chainStages()
   };
   rectification.key =
       [](const ChainState& state, const ChainSettings& settings, StageKey& key) {
-        key.add("noise", textOf(state.noise));
+        key.addSettings("rectification", settings.rectification.settings());
+        key.addSettings("noise", state.noise);
         key.add("skips_broken", settings.skip_broken ? "yes" : "no");
+        if (const auto& up = settings.levelling.getUpDirection())
+          for (const int axis : {0, 1, 2})
+            key.add("up", (*up)[axis]);
       };
   rectification.run = runRectification;
   rectification.take =
@@ -463,7 +451,7 @@ chainStages()
     return settings.adjust && hasSeveral(state);
   };
   adjustment.key = [](const ChainState& state, const ChainSettings&, StageKey& key) {
-    key.add("noise", textOf(state.noise));
+    key.addSettings("noise", state.noise);
   };
   adjustment.run = runAdjustment;
   adjustment.take =

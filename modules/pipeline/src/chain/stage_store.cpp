@@ -7,6 +7,9 @@
 #include <Eigen/Geometry>
 
 #include <filesystem>
+#include <limits>
+#include <locale>
+#include <sstream>
 #include <utility>
 
 namespace pcl::acmap {
@@ -24,6 +27,16 @@ asInFiles(Trajectory trajectory)
 }
 
 } // namespace
+
+void
+StageKey::add(const std::string& name, double value)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << value;
+  add(name, text.str());
+}
 
 std::string
 StageKey::fingerprint() const

@@ -31,6 +31,13 @@ enum class MotionSolver {
   ClosedForm         ///< without iterations
 };
 
+namespace acmap {
+
+inline constexpr std::array<const char*, 2> motion_solver_names{"conjugate gradient",
+                                                                "closed form"};
+
+} // namespace acmap
+
 /** \brief Outcome of an egomotion. All except Estimated are failures without a motion.
  * \ingroup egomotion */
 enum class EgomotionOutcome {

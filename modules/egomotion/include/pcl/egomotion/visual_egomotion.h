@@ -256,6 +256,13 @@ public:
     return report_;
   }
 
+  /** \brief All settings. */
+  const acmap::EgomotionSettings&
+  settings() const
+  {
+    return settings_;
+  }
+
 private:
   /** A prepared view and its cloud. */
   struct Prepared {

@@ -52,6 +52,17 @@ struct OdometryNoise {
   double turn_per_radian = 0.02;  ///< added for each radian of |dtheta|
 };
 
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const OdometryNoise& noise, Visitor&& visit)
+{
+  visit({"length", "m"}, noise.length);
+  visit({"length_per_metre"}, noise.length_per_metre);
+  visit({"turn", "rad"}, noise.turn);
+  visit({"turn_per_radian"}, noise.turn_per_radian);
+}
+
 /** \brief A point of the energy curve. \ingroup mapping */
 struct RectificationStep {
   std::string search;  ///< name of the search

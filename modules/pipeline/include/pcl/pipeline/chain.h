@@ -50,9 +50,6 @@ struct ChainSettings {
   ObservationMerging merging;
   PlaneMapping planes;
   PlaneTexturing<PointXYZRGB> texturing;
-  /** \brief Settings of a stage that its key has to have, in the caller's words; may be
-   * empty. */
-  std::function<std::string(const std::string& stage)> words;
 };
 
 /** \brief One cloud in the frame of the map. */

@@ -394,17 +394,14 @@ public:
     return settings_.skip_broken;
   }
 
-  /** \brief Keeps the poses of odometry and rectification in a folder, so that a later
-   * run goes on from them; it then has no report of these steps (default: none).
-   * \param[in] folder is created; its folders `odometry`, `rectification` and
-   * `adjustment` hold the files of \ref saveEstimatedPoses
-   * \param[in] settings names the settings of both steps: poses are only taken from the
-   * folder if the observations and this text are the same as when they were written */
+  /** \brief Keeps the poses that were estimated, rectified or adjusted in a folder, so that
+   * a later run goes on from them; it then has no report of these stages (default: none).
+   * \param[in] folder is created; each stage has a folder in it (\ref acmap::StageStore).
+   * Poses are taken over if the observations and the settings of the stage are the same */
   void
-  setFolder(const std::string& folder, const std::string& settings = {})
+  setFolder(const std::string& folder)
   {
     folder_ = folder;
-    words_ = settings;
   }
 
   /** \brief Sets how observations are merged; whether broken ones are skipped is decided
@@ -520,7 +517,6 @@ private:
   std::vector<boost::signals2::scoped_connection> connections_;
   acmap::ChainSettings settings_;
   std::string folder_; ///< of poses for later runs; empty: none
-  std::string words_;  ///< for the settings of the steps that estimate poses
   CostCallback cost_callback_;
   MappedPlanes mapped_;
   std::optional<ObservationSequence> mapped_sequence_;

@@ -237,7 +237,7 @@ private:
   Trajectory trajectory_;
   bool is_given_ = false;       ///< Were the poses given by the caller?
   std::optional<double> scale_; ///< metres in a unit of the files, if they are files
-  std::string source_state_; ///< ObservationSource::fingerprint; may be empty
+  std::string source_state_;    ///< ObservationSource::fingerprint; may be empty
   Eigen::Vector3d shift_ = Eigen::Vector3d::Zero();
   std::vector<std::string> remarks_; ///< of the file
   std::shared_ptr<acmap::ObservationCache> cache_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/pipeline/estimated_poses.h>
 
@@ -24,6 +25,21 @@ public:
     entries_.emplace_back(name, value);
   }
 
+  /** \brief The same for a number, all digits of which count. */
+  void
+  add(const std::string& name, double value);
+
+  /** \brief Adds the fields of settings.
+   * \param[in] settings struct with a `visitFields` (\ref Field) */
+  template <typename Settings>
+  void
+  addSettings(const std::string& name, const Settings& settings)
+  {
+    visitFields(settings, [&](const Field& field, const auto& value) {
+      addValue(name + "." + field.name, value);
+    });
+  }
+
   const std::vector<std::pair<std::string, std::string>>&
   entries() const
   {
@@ -35,6 +51,31 @@ public:
   fingerprint() const;
 
 private:
+  template <typename Value>
+  void
+  addValue(const std::string& name, const Value& value)
+  {
+    if constexpr (has_fields<Value>)
+      addSettings(name, value);
+    else
+      add(name, static_cast<double>(value));
+  }
+
+  template <typename Value>
+  void
+  addValue(const std::string& name, const std::optional<Value>& value)
+  {
+    if (value)
+      addValue(name, *value);
+  }
+
+  template <typename Enum, std::size_t size>
+  void
+  addValue(const std::string& name, const Named<Enum, size>& value)
+  {
+    add(name, std::string(nameIn(value.names, value.value)));
+  }
+
   std::vector<std::pair<std::string, std::string>> entries_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/progress.h>
 #include <pcl/egomotion/egomotion_types.h>
 #include <pcl/egomotion/impl/keypoint_kernel.h>
@@ -23,6 +24,15 @@ struct PatchShifts {
   int rings = 0, sectors = 0;
 };
 
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const PatchShifts& shifts, Visitor&& visit)
+{
+  visit({"rings"}, shifts.rings);
+  visit({"sectors"}, shifts.sectors);
+}
+
 /** \brief Settings of \ref estimateEgomotion; see VisualEgomotion. */
 struct EgomotionSettings {
   MotionModel model = MotionModel::Planar;
@@ -37,6 +47,23 @@ struct EgomotionSettings {
   bool paper = false;   ///< II-B.1 as printed, see \ref inMode
   unsigned threads = 0; ///< 0 = all
 };
+
+/** \brief Calls visit (field, value) for each field but the threads; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const EgomotionSettings& settings, Visitor&& visit)
+{
+  visit({"model"}, Named{settings.model, motion_model_names});
+  visit({"solver"}, Named{settings.solver, motion_solver_names});
+  visit({"max_translation", "m"}, settings.max_translation);
+  visit({"max_rotation", "rad"}, settings.max_rotation);
+  visit({"refines"}, settings.refines);
+  visit({"keypoints"}, settings.keypoints);
+  visit({"patches"}, settings.patches);
+  visit({"shifts"}, settings.shifts);
+  visit({"worst_out"}, settings.worst_out);
+  visit({"paper"}, settings.paper);
+}
 
 /** \brief The shifts of patches that are tried: those that are set; otherwise none, or,
  * in paper mode, one in each direction. */

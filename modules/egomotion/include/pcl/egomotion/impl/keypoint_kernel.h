@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +22,17 @@ struct KeypointSettings {
   int cell_width = 32, cell_height = 24; ///< size of the cells for spreading, pixels
   unsigned threads = 0;                  ///< 0 = all
 };
+
+/** \brief Calls visit (field, value) for each field but the threads; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const KeypointSettings& settings, Visitor&& visit)
+{
+  visit({"min_gradient"}, settings.min_gradient);
+  visit({"maximum"}, settings.maximum);
+  visit({"cell_width", "px"}, settings.cell_width);
+  visit({"cell_height", "px"}, settings.cell_height);
+}
 
 /** \brief Counts of \ref gradientMaxima. */
 struct KeypointCounts {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/egomotion/impl/keypoint_kernel.h>
 
 #include <Eigen/Core>
@@ -25,6 +26,23 @@ struct LogPolarSettings {
   int sector_shifts = 0;        ///< rotations tried in either direction
   unsigned threads = 0;         ///< 0 = all
 };
+
+/** \brief Calls visit (field, value) for each field but the threads; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const LogPolarSettings& settings, Visitor&& visit)
+{
+  visit({"rings"}, settings.rings);
+  visit({"sectors"}, settings.sectors);
+  visit({"inner", "px"}, settings.inner);
+  visit({"outer", "px"}, settings.outer);
+  visit({"min_contrast"}, settings.min_contrast);
+  visit({"min_score"}, settings.min_score);
+  visit({"max_ambiguity"}, settings.max_ambiguity);
+  visit({"second_distance", "px"}, settings.second_distance);
+  visit({"ring_shifts"}, settings.ring_shifts);
+  visit({"sector_shifts"}, settings.sector_shifts);
+}
 
 /** \brief Patches around keypoints, each with mean 0 and length 1, on rings of
  * increasing radius: a rotation of the image shifts the sectors, a change of scale the

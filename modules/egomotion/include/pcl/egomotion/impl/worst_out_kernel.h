@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 
 #include <Eigen/Core>
 
@@ -19,6 +20,18 @@ struct WorstOutSettings {
   std::size_t sample = 1000;    ///< matches over which Eq. 1 is averaged, at most 1e6
   bool paper = false;           ///< Eq. 1 as printed; only max_distortion is used then
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const WorstOutSettings& settings, Visitor&& visit)
+{
+  visit({"max_distortion"}, settings.max_distortion);
+  visit({"min_distance", "m"}, settings.min_distance);
+  visit({"min_matches"}, settings.min_matches);
+  visit({"sample"}, settings.sample);
+  visit({"paper"}, settings.paper);
+}
 
 /** \brief Result of \ref leaveWorstOut. */
 struct WorstOutOutcome {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/core/fields.h>
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/planar_pose.h>
 #include <pcl/core/progress.h>
@@ -24,6 +25,20 @@ struct RectificationSettings {
   OdometryNoise odometry;
   std::uint64_t seed = 1;
 };
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const RectificationSettings& settings, Visitor&& visit)
+{
+  visit({"mode"}, Named{settings.mode, rectification_mode_names});
+  visit({"bin_size", "m"}, settings.bin_size);
+  visit({"entropy_weight"}, settings.entropy_weight);
+  visit({"projection_weight"}, settings.projection_weight);
+  visit({"smoothing", "m"}, settings.smoothing);
+  visit({"odometry"}, settings.odometry);
+  visit({"seed"}, settings.seed);
+}
 
 /** \brief A levelled observation: its frame is below its sensor, and its y axis points
  * down in the map, so that its pose is planar. */
