@@ -21,7 +21,8 @@ constexpr std::pair<const char*, const char*> captions[] = {
     {plan_name, "Floor plan: walls as lines, and the way of the camera."},
     {"planes.png", "The mesh, in colours by plane."},
     {mesh_name, "The mesh of the consolidated points."},
-    {"plan.png", "The consolidated points from above, before and after rectification."}};
+    {"plan.png",
+     "The consolidated points from above, before and after rectification."}};
 
 /** \param[in] tilt of the map's frame, degrees
  * \param[in] is_raw Was the mesh made of raw points? */

@@ -7,8 +7,8 @@
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/ros_messages.h>
 #include <pcl/pipeline/observation_source.h>
-#include <pcl/pipeline/stage_store.h>
 #include <pcl/pipeline/rgbd_observation.h>
+#include <pcl/pipeline/stage_store.h>
 
 #include <algorithm>
 #include <cstring>
