@@ -7,6 +7,7 @@
 
 #include <pcl/core/impl/parallel.h>
 #include <pcl/mapping/entropy_rectification.h>
+#include <pcl/mapping/impl/levelling_kernel.h>
 #include <pcl/mapping/impl/map_entropy_kernel.h>
 #include <pcl/point_types.h>
 
@@ -90,20 +91,32 @@ observationsOf(const ObservationArguments& arguments)
 Poses
 search(const std::vector<Observation>& observations,
        const Poses& given,
+       const std::optional<Eigen::Vector3d>& up,
        const RectificationSettings& settings,
        unsigned threads,
        const Progress& progress,
        EntropyRectificationReport& report)
 {
   StepTimer timer(report);
+  std::vector<ObservedSurface> surfaces(up ? 0 : observations.size());
   std::vector<LevelledPoints> levelled(observations.size());
   std::vector<PlanarPose> planar;
-  for (const Eigen::Isometry3d& pose : given)
-    planar.push_back(planarPartOf(pose));
+  Poses upright_poses;
+  Eigen::Quaterniond upright;
   withThreads(threads, [&] {
+    oneapi::tbb::parallel_for(std::size_t{0}, surfaces.size(), [&](std::size_t i) {
+      const Observation& seen = observations[i];
+      surfaces[i] = observedSurface(seen.points, seen.normals, seen.weights);
+    });
+    upright = uprightRotation(verticalOf(surfaces, given, up, report));
+    for (const Eigen::Isometry3d& pose : given) {
+      upright_poses.push_back(upright * pose);
+      planar.push_back(planarPartOf(upright_poses.back()));
+    }
     oneapi::tbb::parallel_for(std::size_t{0}, given.size(), [&](std::size_t i) {
       const Observation& seen = observations[i];
-      levelled[i] = levelledPoints(seen.points, seen.normals, given[i], seen.weights);
+      levelled[i] =
+          levelledPoints(seen.points, seen.normals, upright_poses[i], seen.weights);
     });
     timer.finish("level");
     planar = rectify(levelled, planar, settings, progress, report);
@@ -113,13 +126,15 @@ search(const std::vector<Observation>& observations,
     return given;
   Poses poses;
   for (std::size_t i = 0; i < given.size(); ++i)
-    poses.push_back(isometryOf(planar[i]) * levelOf(given[i]));
+    poses.push_back(upright.inverse() * isometryOf(planar[i]) *
+                    levelOf(upright_poses[i]));
   return poses;
 }
 
 Rectified
 rectifyClouds(const ObservationArguments& arguments,
               const PoseArgument& poses,
+              const std::optional<Eigen::Vector3d>& up,
               const RectificationSettings& settings,
               unsigned threads,
               const Listener& listener)
@@ -131,7 +146,7 @@ rectifyClouds(const ObservationArguments& arguments,
     throw py::value_error("clouds: there is none");
   EntropyRectificationReport report;
   const auto [found, owner] = owned(callKernel(listener, [&](const Progress& progress) {
-    return search(observations, given, settings, threads, progress, report);
+    return search(observations, given, up, settings, threads, progress, report);
   }));
   return {arrayOfPoses(found, owner), reportOf(report)};
 }
@@ -141,10 +156,10 @@ constexpr const char* about_rectification =
 together best, without matching any of them (pcl::EntropyRectification, II-B.2 of the
 paper). Returns a Rectified.
 
-clouds            a list of (n, 3) or (h, w, 3) float32, metres, each in its sensor's frame
-                  (y down), in the order in which they were made
-poses             (k, 4, 4) float64: T_map_camera of each; poses move in the XZ plane and
-                  turn about y, heights and tilts stay
+clouds            a list of (n, 3) or (h, w, 3) float32, metres, each in its sensor's frame,
+                  in the order in which they were made
+poses             (k, 4, 4) float64: T_map_camera of each; poses move perpendicularly to
+                  the vertical and turn about it, heights and tilts stay
 normals           a list as clouds, unit; should be given (consolidate makes them)
 weights           a list of (n,) float32: how much each point counts; None: 1
 mode              'guarded': entropy with an odometry prior, judged by rays; 'paper': Eq. 3
@@ -154,6 +169,8 @@ entropy_weight    how much a bit of entropy counts against the odometry, times t
 smoothing         metres, sigma_XZ of 'paper'; None: one bin. 'guarded' refuses it
 projection_weight mu, of the entropies along the building's main directions; None: 0 if
                   guarded, 0.1 as the paper
+up                three numbers, the up direction of the map; None: found by floors and
+                  walls, see report.up_reason
 odometry_length, odometry_length_per_metre, odometry_turn, odometry_turn_per_radian
                   what the odometry is expected to err by, one standard deviation: metres,
                   m/m, radians, rad/rad
@@ -187,6 +204,7 @@ bindRectification(py::module_& module)
          double entropy_weight,
          std::optional<double> projection_weight,
          std::optional<double> smoothing,
+         const std::optional<std::array<double, 3>>& up,
          double odometry_length,
          double odometry_length_per_metre,
          double odometry_turn,
@@ -214,9 +232,15 @@ bindRectification(py::module_& module)
                                         odometry_turn,
                                         odometry_turn_per_radian});
         rectification.setSeed(seed);
+        if (up)
+          setKeyword("up",
+                     rectification,
+                     &Rectification::setUpDirection,
+                     Eigen::Vector3d((*up)[0], (*up)[1], (*up)[2]));
         return rectifyClouds(
             {std::move(clouds), std::move(normals), std::move(weights)},
             poses,
+            rectification.getUpDirection(),
             rectification.settings(),
             threads,
             progress);
@@ -232,6 +256,7 @@ bindRectification(py::module_& module)
       "entropy_weight"_a = defaults.entropy_weight,
       "projection_weight"_a = py::none(),
       "smoothing"_a = py::none(),
+      "up"_a = py::none(),
       "odometry_length"_a = defaults.odometry.length,
       "odometry_length_per_metre"_a = defaults.odometry.length_per_metre,
       "odometry_turn"_a = defaults.odometry.turn,

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 
 namespace pcl::acmap::python {
 
@@ -14,7 +15,10 @@ namespace pcl::acmap::python {
  * refuses the value */
 template <typename Stage, typename Base, typename Value>
 void
-setKeyword(const char* keyword, Stage& stage, void (Base::*set)(Value), Value value)
+setKeyword(const char* keyword,
+           Stage& stage,
+           void (Base::*set)(Value),
+           const std::decay_t<Value>& value)
 {
   try {
     (stage.*set)(value);
@@ -30,7 +34,7 @@ void
 setKeyword(const char* keyword,
            Stage& stage,
            void (Base::*set)(Value),
-           const std::optional<Value>& value)
+           const std::optional<std::decay_t<Value>>& value)
 {
   if (value)
     setKeyword(keyword, stage, set, *value);

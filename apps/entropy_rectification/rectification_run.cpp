@@ -70,6 +70,9 @@ detailsOf(const RectificationOptions& options, const EntropyRectificationReport&
                   {"seed", options.stage.getSeed()}};
   details.update(fieldsOf(report,
                           {{"reason", outcomeName(report.outcome)},
+                           {"up"}, // told of the levelling
+                           {"is_up_found"},
+                           {"up_reason"},
                            {"votes"},
                            {"accepted_moves"},
                            {"steps"}}));

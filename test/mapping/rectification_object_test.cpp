@@ -89,7 +89,8 @@ TEST(EntropyRectification, theVerticalMayBeAnyDirection)
     for (std::size_t i = 0; i < room.odometry.size(); ++i)
       turned.setPose(i, turn * turned.getPose(i));
     turned.setUpDirection(up);
-    EXPECT_TRUE(turned.getUpDirection().isApprox(up.normalized()));
+    ASSERT_TRUE(turned.getUpDirection());
+    EXPECT_TRUE(turned.getUpDirection()->isApprox(up.normalized()));
     turned.compute();
     ASSERT_EQ(turned.getReport().outcome, RectificationOutcome::Rectified);
     double largest = 0; // the turn about the vertical is arbitrary: compare distances
@@ -101,6 +102,33 @@ TEST(EntropyRectification, theVerticalMayBeAnyDirection)
                    (level.getPose(i).translation() - level.getPose(0).translation())
                        .norm()));
     EXPECT_LT(largest, 0.02) << up.transpose();
+  }
+}
+
+/** Nobody says which axis is up: ROS has z, cameras -y, others y. */
+TEST(EntropyRectification, theVerticalIsFound)
+{
+  const RoomWithDrift room(21);
+  Rectification level = heldInSpace(room);
+  level.setUpDirection(-Eigen::Vector3d::UnitY());
+  level.compute();
+  for (const Eigen::Vector3d& up :
+       {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, -1, 0)}) {
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitY(), up);
+    Rectification turned = heldInSpace(room);
+    for (std::size_t i = 0; i < room.odometry.size(); ++i)
+      turned.setPose(i, turn * turned.getPose(i));
+    turned.compute();
+    const EntropyRectificationReport& report = turned.getReport();
+    EXPECT_TRUE(report.is_up_found) << up.transpose();
+    EXPECT_GT(report.up.dot(up), std::cos(0.5 * M_PI / 180)) << report.up.transpose();
+    ASSERT_EQ(report.outcome, RectificationOutcome::Rectified);
+    std::vector<Eigen::Isometry3d> found;
+    for (std::size_t i = 0; i < room.odometry.size(); ++i)
+      found.push_back(turn.inverse() * turned.getPose(i));
+    for (std::size_t i = 1; i < found.size(); ++i)
+      EXPECT_LT((found[i].translation() - level.getPose(i).translation()).norm(), 0.02);
   }
 }
 

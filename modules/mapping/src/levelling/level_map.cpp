@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace pcl::acmap {
 
@@ -231,6 +232,30 @@ levelMap(const Surfaces& observations,
     return Eigen::Quaterniond::Identity();
   report.tilt = tilt;
   return smallestRotation(report.up, report.axis);
+}
+
+Vector3d
+verticalOf(const Surfaces& observations,
+           const Poses& poses,
+           const std::optional<Vector3d>& given,
+           EntropyRectificationReport& report)
+{
+  MapLevellingReport levelling;
+  levelMap(observations, poses, given, levelling);
+  report.up = levelling.up;
+  report.is_up_found = levelling.found;
+  report.up_reason = levelling.reason;
+  const bool has_points =
+      std::any_of(observations.begin(), observations.end(), [](const auto& seen) {
+        return seen.points > seen.invalid_points;
+      });
+  if (!levelling.found && has_points) {
+    std::ostringstream text;
+    text << "the up direction is undetermined, " << levelling.up.transpose()
+         << " is assumed (setUpDirection): " << levelling.reason;
+    report.remarks.push_back(text.str());
+  }
+  return levelling.up;
 }
 
 } // namespace pcl::acmap

@@ -2,6 +2,7 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/mapping/entropy_rectification_types.h>
+#include <pcl/mapping/impl/levelling_kernel.h>
 #include <pcl/mapping/impl/rectification_kernel.h>
 #include <pcl/mapping/posed_clouds.h>
 #include <pcl/memory.h>
@@ -10,6 +11,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace pcl {
 
@@ -143,14 +145,16 @@ public:
     return has_odometry_noise_;
   }
 
-  /** \brief Sets the up direction of the map (default -y): poses are translated
-   * perpendicularly to it and rotated about it.
+  /** \brief Sets the up direction of the map: poses are translated perpendicularly to it
+   * and rotated about it (default: found by floors and walls, as \ref MapLevelling does it;
+   * if these show none, -y or z, whichever the sensors suggest, with a remark).
    * \param[in] up in the map frame, of any length above 0
    * \throws BadArgumentException if it is not finite or zero */
   void
   setUpDirection(const Eigen::Vector3d& up);
 
-  const Eigen::Vector3d&
+  /** \brief The up direction that was set, of length 1; nothing if it is found. */
+  const std::optional<Eigen::Vector3d>&
   getUpDirection() const
   {
     return up_;
@@ -186,9 +190,13 @@ public:
   }
 
 private:
+  /** Of all observations, unless the up direction was set. */
+  std::vector<acmap::ObservedSurface>
+  surfaces() const;
+
   acmap::RectificationSettings settings_;
   bool has_odometry_noise_ = false; ///< was it set?
-  Eigen::Vector3d up_ = -Eigen::Vector3d::UnitY();
+  std::optional<Eigen::Vector3d> up_;
 };
 
 } // namespace pcl

@@ -3,6 +3,8 @@
 #include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -131,6 +133,10 @@ visitFields(const MapEvidence& evidence, Visitor&& visit)
 struct EntropyRectificationReport : Report {
   RectificationOutcome outcome = RectificationOutcome::Undetermined;
   std::string reason; ///< reason of the outcome, one line
+  /** \brief Up direction of the map that was assumed. */
+  Eigen::Vector3d up = -Eigen::Vector3d::UnitY();
+  bool is_up_found = false; ///< Was it given, or shown by the surfaces?
+  std::string up_reason;    ///< one line: what determined it
   std::size_t observations = 0, points = 0, invalid_points = 0;
   std::size_t evaluations = 0; ///< of the energy of the whole map, or equivalent
   std::size_t votes = 0; ///< Paper: changes of a subset of actions that were tried
@@ -154,6 +160,9 @@ visitFields(const EntropyRectificationReport& report, Visitor&& visit)
   visit({"invalid_points"}, report.invalid_points);
   visit({"outcome"}, acmap::Named{report.outcome, acmap::rectification_outcome_names});
   visit({"reason"}, report.reason);
+  visit({"up"}, report.up);
+  visit({"is_up_found"}, report.is_up_found);
+  visit({"up_reason"}, report.up_reason);
   visit({"evaluations"}, report.evaluations);
   visit({"votes"}, report.votes);
   visit({"accepted_moves"}, report.accepted_moves);

@@ -68,6 +68,24 @@ EntropyRectification<PointT>::setUpDirection(const Eigen::Vector3d& up)
 }
 
 template <typename PointT>
+std::vector<acmap::ObservedSurface>
+EntropyRectification<PointT>::surfaces() const
+{
+  std::vector<acmap::ObservedSurface> surfaces;
+  if (up_)
+    return surfaces;
+  surfaces.resize(this->given_.size());
+  acmap::withThreads(this->threads_, [&] {
+    oneapi::tbb::parallel_for(std::size_t{0}, surfaces.size(), [&](std::size_t i) {
+      const auto cloud = this->loaders_[i]();
+      surfaces[i] = acmap::observedSurface(
+          acmap::pointsOf(*cloud), acmap::normalsOf(*cloud), this->weights_[i]);
+    });
+  });
+  return surfaces;
+}
+
+template <typename PointT>
 void
 EntropyRectification<PointT>::compute()
 {
@@ -77,7 +95,8 @@ EntropyRectification<PointT>::compute()
   acmap::StepTimer timer(report);
   std::vector<acmap::LevelledPoints> observations(this->poses_.size());
   std::vector<PlanarPose> poses;
-  const Eigen::Quaterniond upright = acmap::uprightRotation(up_);
+  const Eigen::Quaterniond upright =
+      acmap::uprightRotation(acmap::verticalOf(surfaces(), this->given_, up_, report));
   std::vector<Eigen::Isometry3d> given;
   for (const Eigen::Isometry3d& pose : this->given_) {
     given.push_back(upright * pose);

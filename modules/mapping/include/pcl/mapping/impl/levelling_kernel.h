@@ -3,6 +3,7 @@
 #include <pcl/core/export.h>
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/impl/up_direction.h>
+#include <pcl/mapping/entropy_rectification_types.h>
 #include <pcl/mapping/map_levelling_types.h>
 
 #include <Eigen/Geometry>
@@ -41,5 +42,14 @@ levelMap(const std::vector<ObservedSurface>& observations,
          const std::vector<Eigen::Isometry3d>& poses,
          const std::optional<Eigen::Vector3d>& given,
          MapLevellingReport& report);
+
+/** \brief The vertical for a class whose poses move perpendicularly to it.
+ * \param[out] report its up direction and where it is from; a remark if it was not found
+ * \return the up direction: given, found, or the axis that is expected */
+ACMAP_EXPORT Eigen::Vector3d
+verticalOf(const std::vector<ObservedSurface>& observations,
+           const std::vector<Eigen::Isometry3d>& poses,
+           const std::optional<Eigen::Vector3d>& given,
+           EntropyRectificationReport& report);
 
 } // namespace pcl::acmap
