@@ -29,6 +29,27 @@ makeSheet(std::uint64_t seed)
   return copyOf<PointT>(places);
 }
 
+/** Whoever has a chain of filters calls them by a pointer to their base. */
+TEST(BadInputByTheBase, isRefused)
+{
+  const auto cloud = makeSheet<PointXYZ>(1);
+  VoxelConsolidation<PointXYZ> consolidation;
+  Filter<PointXYZ>& filter = consolidation;
+  PointCloud<PointXYZ> output;
+  filter.setInputCloud(cloud);
+  for (const index_t index : {-1, static_cast<int>(cloud->size())}) {
+    filter.setIndices(std::make_shared<Indices>(Indices{0, index}));
+    EXPECT_THROW(filter.filter(output), InitFailedException) << index;
+  }
+  const auto liar = std::make_shared<PointCloud<PointXYZ>>(*cloud);
+  liar->height = 2;
+  VoxelConsolidation<PointXYZ> other;
+  other.setInputCloud(liar);
+  EXPECT_THROW(other.filter(output), InitFailedException);
+  VoxelConsolidation<PCLPointCloud2> of_rows;
+  EXPECT_THROW(of_rows.setInputCloud(PCLPointCloud2::Ptr()), InitFailedException);
+}
+
 template <typename PointT>
 class AnyPoint : public testing::Test {};
 

@@ -59,6 +59,15 @@ TEST_F(OfficeViews, becomeTheSameMapFromFilesThatAreReadTwiceAtMost)
   EXPECT_LE(sequence.getNumberOfReads(), 2 * views);
 }
 
+TEST(CompactMappingObservations, thatClaimMoreThanTheyHoldAreRefused)
+{
+  const auto liar = std::make_shared<PointCloud<PointXYZRGB>>(4, 3);
+  liar->width = 40;
+  CompactMapping mapping;
+  EXPECT_THROW(mapping.addObservation(liar), InitFailedException);
+  EXPECT_EQ(mapping.getNumberOfObservations(), 0U);
+}
+
 /** Clouds that count how often each of them is read. */
 class CountedSource : public ObservationSource {
 public:

@@ -67,6 +67,14 @@ DepthRefinement<PCLPointCloud2>::DepthRefinement()
 }
 
 void
+DepthRefinement<PCLPointCloud2>::setInputCloud(const PCLPointCloud2ConstPtr& cloud)
+{
+  if (!cloud)
+    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud is a null pointer");
+  Filter<PCLPointCloud2>::setInputCloud(cloud);
+}
+
+void
 DepthRefinement<PCLPointCloud2>::setPlanes(const std::vector<PlanePatch>& patches,
                                            const PointLabels& labels)
 {

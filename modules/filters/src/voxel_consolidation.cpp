@@ -91,6 +91,15 @@ VoxelConsolidation<PCLPointCloud2>::VoxelConsolidation()
 }
 
 void
+VoxelConsolidation<PCLPointCloud2>::setInputCloud(const PCLPointCloud2ConstPtr& cloud)
+{
+  if (!cloud)
+    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud is a null pointer");
+  Filter<PCLPointCloud2>::setInputCloud(cloud);
+  rows_ = CloudRows();
+}
+
+void
 VoxelConsolidation<PCLPointCloud2>::setSensorOrigin(const Eigen::Vector3f& origin)
 {
   acmap::requireViewpoints({origin});

@@ -3,6 +3,7 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/trinocular_grabber.h>
 #include <pcl/pipeline/compact_mapping.h>
 #include <pcl/pipeline/ranked_work.h>
@@ -156,6 +157,7 @@ CompactMapping::add(std::shared_ptr<const PointCloudFile> cloud,
 {
   if (!cloud)
     throw BadArgumentException("an observation needs a cloud");
+  acmap::requirePoints(CloudRows::of(cloud->cloud)); // else a thread would find out
   if (T_map_camera && !acmap::isRigid(*T_map_camera, acmap::float_pose_tolerance))
     throw BadArgumentException("the pose of an observation is no rigid motion");
   poses_.push_back(T_map_camera);

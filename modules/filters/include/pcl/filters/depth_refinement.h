@@ -95,6 +95,10 @@ public:
 
   DepthRefinement();
 
+  /** \throws InitFailedException without a cloud */
+  void
+  setInputCloud(const PCLPointCloud2ConstPtr& cloud);
+
   /** \brief See the class of point types. */
   void
   setPlanes(const std::vector<PlanePatch>& patches, const PointLabels& labels);

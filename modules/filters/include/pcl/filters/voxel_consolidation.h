@@ -185,13 +185,10 @@ public:
 
   VoxelConsolidation();
 
-  /** \brief Sets the cloud, in place of rows that were set before. */
+  /** \brief Sets the cloud, in place of rows that were set before.
+   * \throws InitFailedException without a cloud */
   void
-  setInputCloud(const PCLPointCloud2ConstPtr& cloud)
-  {
-    Filter<PCLPointCloud2>::setInputCloud(cloud);
-    rows_ = CloudRows();
-  }
+  setInputCloud(const PCLPointCloud2ConstPtr& cloud);
 
   void
   setInputCloud(const PCLPointCloud2Ptr& cloud)

@@ -5,7 +5,8 @@
 
 namespace pcl::acmap {
 
-/** \brief Checks that the input of a class has a cloud, and that all indices are valid.
+/** \brief Checks that the input of a class has a cloud that holds the pixels that it claims,
+ * and that all indices are valid.
  * PCL's own classes do not check indices and read outside of the cloud.
  * \param[in] input the cloud that was set
  * \param[in] indices the indices that were set, nullptr for the whole cloud
@@ -16,6 +17,10 @@ requireInput(const typename PointCloud<PointT>::ConstPtr& input, const Indices* 
 {
   if (!input)
     PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
+  if (std::size_t{input->width} * input->height > input->size())
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        "the cloud claims " << input->width << " x " << input->height
+                                            << " points and has " << input->size());
   if (!indices)
     return;
   for (const index_t index : *indices)

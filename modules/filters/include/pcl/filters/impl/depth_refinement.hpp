@@ -37,15 +37,7 @@ template <typename PointT>
 void
 DepthRefinement<PointT>::filter(PointCloud& output)
 {
-  acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
-  if (!input_->empty() && !input_->isOrganized())
-    PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
-                        "the cloud is not organized: give a view as rows of pixels");
-  if (!planes_.labels.empty() && planes_.labels.size() != input_->size())
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        "the planes have " << planes_.labels.size()
-                                           << " labels, the cloud has "
-                                           << input_->size() << " points");
+  acmap::requireInput<PointT>(input_, nullptr);
   PointCloud result;
   Filter<PointT>::filter(result);
   output = std::move(result);
@@ -55,6 +47,16 @@ template <typename PointT>
 void
 DepthRefinement<PointT>::applyFilter(PointCloud& output)
 {
+  // here, since a call by a pointer to Filter comes by no other function of this class
+  acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
+  if (!input_->empty() && !input_->isOrganized())
+    PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
+                        "the cloud is not organized: give a view as rows of pixels");
+  if (!planes_.labels.empty() && planes_.labels.size() != input_->size())
+    PCL_THROW_EXCEPTION(InitFailedException,
+                        "the planes have " << planes_.labels.size()
+                                           << " labels, the cloud has "
+                                           << input_->size() << " points");
   PointCloud result = *input_;
   if (!this->fake_indices_) {
     std::vector<std::uint8_t> is_chosen(input_->size(), 0);

@@ -27,7 +27,7 @@ template <typename PointT>
 void
 VoxelConsolidation<PointT>::filter(PointCloud& output)
 {
-  acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
+  acmap::requireInput<PointT>(input_, nullptr);
   PointCloud result;
   Filter<PointT>::filter(result);
   output = std::move(result);
@@ -37,6 +37,8 @@ template <typename PointT>
 void
 VoxelConsolidation<PointT>::applyFilter(PointCloud& output)
 {
+  // here, since a call by a pointer to Filter comes by no other function of this class
+  acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
   const PointT* points = input_->empty() ? nullptr : input_->points.data();
   const acmap::PointView view(points ? &points->x : nullptr,
                               sizeof(PointT),
