@@ -115,15 +115,15 @@ toolsForInputs()
       {InputKind::RawSession,
        {{"pcl_active_stereo session",
          "pcl_compact_mapping input",
-         "pcl_paper_figures session"},
+         "acmap_paper_figures session"},
         "% is a raw session: run pcl_active_stereo % -o observations for point clouds, "
         "or pcl_compact_mapping % -o map for a map"}},
       {InputKind::CompactMap,
-       {{"pcl_compact_viewer input", "pcl_paper_figures map"},
+       {{"pcl_compact_viewer input", "acmap_paper_figures map"},
         "% is a compact map already: run pcl_compact_viewer % to see it; its planes "
         "are %/map.json"}},
       {InputKind::MergedMap,
-       {{"pcl_compact_viewer input", "pcl_paper_figures map"}, // without its map.json
+       {{"pcl_compact_viewer input", "acmap_paper_figures map"}, // without its map.json
         "% holds poses and a merged map, no observations: run "
         "pcl_entropy_rectification with --observations to have those, or give "
         "%/map.pcd as one cloud"}},

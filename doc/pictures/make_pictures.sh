@@ -84,6 +84,6 @@ cp "$scratch/posed/matches_0006.png" "$pictures/egomotion_matches.png"
 
 "$bin/pcl_simulated_rig" -o "$scratch/survey" --scene corridor_survey
 xvfb-run -a "$bin/pcl_compact_mapping" "$scratch/survey" -o "$scratch/survey_map" --no-pictures
-xvfb-run -a "$bin/pcl_paper_figures" "$scratch/survey" "$scratch/survey_map" -o "$scratch/figures"
+xvfb-run -a "$bin/acmap_paper_figures" "$scratch/survey" "$scratch/survey_map" -o "$scratch/figures"
 cp "$scratch/figures/"fig*.png "$pictures/paper_figures/"
 /usr/bin/python3 "$pictures/overview.py" "$pictures/paper_figures" "$pictures/overview.png"

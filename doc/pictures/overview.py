@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The README's picture: from light to textured planes, cut out of the paper's figures.
 
-usage: overview.py FIGURES_FOLDER OUT.png    the folder that pcl_paper_figures wrote
+usage: overview.py FIGURES_FOLDER OUT.png    the folder that acmap_paper_figures wrote
 needs python3-pil
 """
 import sys

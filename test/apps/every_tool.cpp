@@ -142,7 +142,7 @@ rows()
       {"pcl_entropy_rectification", {"<posed", "-o", ">rectified"}},
       {"pcl_line_pattern", {">patterns", "--patterns", "4"}},
       {"pcl_line_pattern", {">pattern.png"}},
-      {"pcl_paper_figures",
+      {"acmap_paper_figures",
        {"<session", "<map", "-o", ">figures", "--figures", "<figures.yaml"},
        "",
        true,

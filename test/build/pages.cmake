@@ -3,7 +3,8 @@
 # repository.
 cmake_minimum_required(VERSION 3.25)
 file(GLOB classes "${ROOT}/modules/*/include/pcl/*/impl/*.hpp")
-file(GLOB tools "${ROOT}/apps/pcl_*.cpp")
+file(GLOB tools "${ROOT}/apps/pcl_*.cpp"
+     "${ROOT}/test/benchmarks/paper_figures/acmap_*.cpp")
 file(GLOB_RECURSE pages "${ROOT}/doc/*.md")
 list(TRANSFORM pages REPLACE ".*/" "")
 foreach(file IN LISTS classes tools)

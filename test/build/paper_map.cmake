@@ -34,6 +34,7 @@ list(JOIN words "\n" patterns)
 file(WRITE "${OUTPUT}" "${patterns}\n")
 execute_process(COMMAND "${grep}" -rohwFf "${OUTPUT}" --include=*.h --include=*.hpp
                         --include=*.cpp --include=*.yaml modules apps share
+                        test/benchmarks/paper_figures
                 WORKING_DIRECTORY "${ROOT}" OUTPUT_VARIABLE found)
 string(REPLACE "\n" ";" found "${found}")
 list(REMOVE_DUPLICATES found)

@@ -1,5 +1,5 @@
+#include "figure_plan.h"
 #include "messages.h"
-#include "paper_figures/figure_plan.h"
 #include "temporary_folder.h"
 
 #include <pcl/acquisition/frame_file.h>

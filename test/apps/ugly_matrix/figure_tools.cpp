@@ -76,7 +76,7 @@ uglyPaperFigures()
       odd_session,
       figuresOf(odd_session, "map"),
       [](const auto& folder) { give(folder, folder.path("shots"), odd_session); });
-  return {"pcl_paper_figures", "figures", true, true, list.cases()};
+  return {"acmap_paper_figures", "figures", true, true, list.cases()};
 }
 
 } // namespace pcl::acmap::test

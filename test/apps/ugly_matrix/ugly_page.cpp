@@ -97,7 +97,7 @@ cellsIn(const std::string& line)
 std::string
 headingOf(const std::string& tool)
 {
-  std::string heading = tool.substr(4);
+  std::string heading = tool.substr(tool.find('_') + 1);
   std::replace(heading.begin(), heading.end(), '_', ' ');
   return "[" + heading + "](#" + tool + ")";
 }

@@ -1,4 +1,4 @@
-#include "paper_figures/figures.h"
+#include "figures.h"
 #include "tool.h"
 
 #include <CLI/CLI.hpp>
@@ -23,7 +23,7 @@ addOptions(Tool& tool, FigureOptions& options)
       ->required();
   app.add_option("--figures",
                  options.figures,
-                 "What they show and from where [default: share/paper_figures.yaml, of "
+                 "What they show and from where [default: those of "
                  "scene corridor_survey]")
       ->type_name("FIGURES.yaml")
       ->check(
@@ -40,7 +40,7 @@ int
 main(int argc, char** argv)
 {
   Tool tool(
-      "pcl_paper_figures",
+      "acmap_paper_figures",
       "Draws the figures of the paper again, of a simulated session and its map.");
   FigureOptions options;
   addOptions(tool, options);

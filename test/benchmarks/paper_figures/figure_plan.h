@@ -50,13 +50,13 @@ struct FigurePlan {
 };
 
 /** \brief Reads a file of figures; its format is described in
- * doc/tools/pcl_paper_figures.md.
- * \param[in] path empty: share/paper_figures.yaml, which is part of the tool
+ * doc/benchmarks/acmap_paper_figures.md.
+ * \param[in] path empty: paper_figures.yaml, which is part of the tool
  * \throws InputFileException naming file, line, column and fault */
 FigurePlan
 loadFigurePlan(const std::string& path);
 
-/** \brief The text of share/paper_figures.yaml. */
+/** \brief The text of paper_figures.yaml. */
 const char*
 standardFiguresText();
 

@@ -11,11 +11,11 @@ struct FigureOptions {
   std::string session; ///< that pcl_simulated_rig filmed
   std::string map;     ///< folder that pcl_compact_mapping made of it
   std::string output;
-  std::string figures; ///< what they show; empty: share/paper_figures.yaml
+  std::string figures; ///< what they show; empty: paper_figures.yaml
 };
 
 /** \brief Draws the figures of the paper and writes the page that shows them: the
- * complete work of pcl_paper_figures.
+ * complete work of acmap_paper_figures.
  * \throws according to the exit codes of its documentation page */
 void
 drawFigures(const FigureOptions& options, const RunControls& controls, StageLog& log);
