@@ -1,5 +1,5 @@
 #include "bag/bag_index.h"
-#include "byte_source.h"
+#include "files/byte_source.h"
 
 #include <pcl/core/exceptions.h>
 

@@ -1,4 +1,4 @@
-#include "carmen_reader.h"
+#include "files/carmen_reader.h"
 #include "source_checks.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "fuzzed_reader.h"
 
-#include "e57_pages.h"
-#include "point_cloud_readers.h"
+#include "clouds/e57_pages.h"
+#include "clouds/point_cloud_readers.h"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "map_format.h"
+#include "map/map_format.h"
 #include "source_checks.h"
 
 using namespace pcl::acmap;

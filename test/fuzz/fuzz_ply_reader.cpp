@@ -1,6 +1,6 @@
+#include "clouds/mesh_codecs.h"
+#include "clouds/point_cloud_readers.h"
 #include "fuzzed_reader.h"
-#include "mesh_codecs.h"
-#include "point_cloud_readers.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 #include "checks.h"
-#include "rig_text.h"
+#include "files/rig_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
+#include "files/trajectory_text.h"
 #include "source_checks.h"
-#include "trajectory_text.h"
 
 using namespace pcl::acmap;
 

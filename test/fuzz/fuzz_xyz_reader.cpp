@@ -1,6 +1,6 @@
 #include "fuzzed_reader.h"
 
-#include "point_cloud_readers.h"
+#include "clouds/point_cloud_readers.h"
 
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

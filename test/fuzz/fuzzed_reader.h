@@ -1,7 +1,7 @@
 #pragma once
 
-#include "byte_source.h"
-#include "record_moves.h"
+#include "files/byte_source.h"
+#include "files/record_moves.h"
 
 #include <pcl/core/point_cloud_file.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "byte_source.h"
 #include "checks.h"
+#include "files/byte_source.h"
 
 namespace pcl::acmap::test {
 

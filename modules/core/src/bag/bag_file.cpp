@@ -1,7 +1,7 @@
 #include "bag/bag_index.h"
 #include "bag/byte_cursor.h"
 #include "bag/chunk_unpacking.h"
-#include "byte_source.h"
+#include "files/byte_source.h"
 
 #include <pcl/core/bag_file.h>
 

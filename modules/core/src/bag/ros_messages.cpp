@@ -1,7 +1,7 @@
 #include "bag/byte_cursor.h"
-#include "byte_source.h"
+#include "clouds/point_cloud_readers.h"
+#include "files/byte_source.h"
 #include "images/image_codecs.h"
-#include "point_cloud_readers.h"
 
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/size_text.h>

@@ -1,4 +1,4 @@
-#include "image_codecs.h"
+#include "images/image_codecs.h"
 
 #include <pcl/core/impl/size_text.h>
 

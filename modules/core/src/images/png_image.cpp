@@ -1,4 +1,4 @@
-#include "image_codecs.h"
+#include "images/image_codecs.h"
 
 #include <png.h>
 

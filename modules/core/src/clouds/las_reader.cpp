@@ -1,0 +1,267 @@
+#include "clouds/coordinate_shift.h"
+#include "clouds/point_cloud_readers.h"
+#include "files/byte_source.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** \brief What a point data record format of LAS 1.0 to 1.4 has, offsets in bytes. */
+struct LasRecord {
+  std::size_t bytes;
+  std::size_t classification;
+  std::size_t color; ///< 0: none
+};
+
+constexpr std::array<LasRecord, 11> las_records = {{{20, 15, 0},
+                                                    {28, 15, 0},
+                                                    {26, 15, 20},
+                                                    {34, 15, 28},
+                                                    {57, 15, 0},
+                                                    {63, 15, 28},
+                                                    {30, 16, 0},
+                                                    {36, 16, 30},
+                                                    {38, 16, 30},
+                                                    {59, 16, 0},
+                                                    {67, 16, 30}}};
+
+/** \brief A value of a little-endian file. */
+template <typename Value>
+Value
+valueAt(const char* bytes, std::size_t offset)
+{
+  Value value;
+  std::memcpy(&value, bytes + offset, sizeof value);
+  return value;
+}
+
+struct LasHeader {
+  std::uint64_t header_bytes = 0, first_point = 0, points = 0;
+  std::size_t format = 0, record_bytes = 0;
+  Eigen::Vector3d scale, offset;
+};
+
+/** \throws InputFileException for what is no LAS file, or packed */
+LasHeader
+readLasHeader(ByteSource& source)
+{
+  constexpr std::size_t shortest = 227, of_1_4 = 375;
+  std::array<char, of_1_4> bytes{};
+  if (source.remaining() < shortest)
+    source.fail("is shorter than the header of a LAS file");
+  source.read(bytes.data(), shortest);
+  if (std::memcmp(bytes.data(), "LASF", 4) != 0)
+    source.fail("is no LAS file: it does not begin with LASF");
+  const int major = bytes[24], minor = bytes[25];
+  if (major != 1 || minor < 0 || minor > 4)
+    source.fail("is LAS " + std::to_string(major) + "." + std::to_string(minor) +
+                ", 1.0 to 1.4 are read");
+  LasHeader header;
+  header.header_bytes = shortest;
+  const bool is_1_4 = minor == 4 && valueAt<std::uint16_t>(bytes.data(), 94) >= of_1_4;
+  if (is_1_4) {
+    if (source.remaining() < of_1_4 - shortest)
+      source.fail("is shorter than its header");
+    source.read(bytes.data() + shortest, of_1_4 - shortest);
+    header.header_bytes = of_1_4;
+  }
+  header.first_point = valueAt<std::uint32_t>(bytes.data(), 96);
+  const auto format = static_cast<std::uint8_t>(bytes[104]);
+  constexpr std::uint8_t packed = 0xC0; // bits that LASzip sets
+  if ((format & packed) != 0)
+    source.fail("is packed by LASzip; laszip or pdal translate unpacks it to .las");
+  if (format >= las_records.size())
+    source.fail("has points of format " + std::to_string(format) +
+                ", 0 to 10 are known");
+  header.format = format;
+  header.record_bytes = valueAt<std::uint16_t>(bytes.data(), 105);
+  if (header.record_bytes < las_records[header.format].bytes)
+    source.fail("claims points of " + std::to_string(header.record_bytes) +
+                " bytes, those of format " + std::to_string(format) + " have " +
+                std::to_string(las_records[header.format].bytes));
+  header.points = valueAt<std::uint32_t>(bytes.data(), 107);
+  if (const auto count = valueAt<std::uint64_t>(bytes.data(), 247); is_1_4 && count > 0)
+    header.points = count;
+  for (int axis = 0; axis < 3; ++axis) {
+    header.scale[axis] = valueAt<double>(bytes.data(), 131 + 8 * axis);
+    header.offset[axis] = valueAt<double>(bytes.data(), 155 + 8 * axis);
+  }
+  if (!header.scale.allFinite() || !header.offset.allFinite() ||
+      (header.scale.array() == 0).any())
+    source.fail("has a scale or an offset that is no number");
+  if (header.first_point < header.header_bytes)
+    source.fail("claims points within its header");
+  return header;
+}
+
+Eigen::Vector3d
+lasPlace(const char* record, const LasHeader& header)
+{
+  const Eigen::Vector3d steps(valueAt<std::int32_t>(record, 0),
+                              valueAt<std::int32_t>(record, 4),
+                              valueAt<std::int32_t>(record, 8));
+  return steps.cwiseProduct(header.scale) + header.offset;
+}
+
+std::vector<SourceField>
+lasFields(bool has_color)
+{
+  std::vector<SourceField> fields;
+  for (const char* name : {"x", "y", "z", "intensity"})
+    fields.push_back({name, PCLPointField::FLOAT32, 1, 0});
+  if (has_color)
+    fields.push_back({"rgb", PCLPointField::FLOAT32, 1, 0});
+  fields.push_back({"classification", PCLPointField::UINT8, 1, 0});
+  return fields;
+}
+
+using Color16 = std::array<std::uint16_t, 3>;
+
+/** \brief Packs the colours of points, of 16 bits, or of 8 where none of them needs more. */
+class LasColors {
+public:
+  /** \param[in] offset of the colour in a point
+   * \param[in] step bytes of a point */
+  LasColors(std::size_t offset, std::size_t step)
+  : offset_(offset)
+  , step_(step)
+  {}
+
+  /** \brief Stores the colour of the next point.
+   * \param[in,out] points all so far, and this one */
+  void
+  store(const Color16& color, std::uint8_t* points)
+  {
+    if (shift_ == 0 && *std::max_element(color.begin(), color.end()) > 255)
+      widen(points);
+    put(color, points + stored_++ * step_);
+  }
+
+private:
+  void
+  put(const Color16& color, std::uint8_t* point) const
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+      point[offset_ + 2 - c] = static_cast<std::uint8_t>(color[c] >> shift_);
+  }
+
+  /** The points so far have colours below 256, which are black among those of 16 bits. */
+  void
+  widen(std::uint8_t* points)
+  {
+    shift_ = 8;
+    for (std::size_t i = 0; i < stored_; ++i)
+      put({}, points + i * step_);
+  }
+
+  std::size_t offset_, step_, stored_ = 0;
+  int shift_ = 0;
+};
+
+/** \brief Makes points of records. */
+class LasPoints {
+public:
+  LasPoints(const LasHeader& header, const FieldLayout& layout)
+  : header_(header)
+  , record_(las_records[header.format])
+  , step_(layout.point_step)
+  , classification_(layout.fields.back().offset)
+  , colors_(4 * sizeof(float), layout.point_step)
+  {}
+
+  /** \brief Stores the point of the next record.
+   * \param[in,out] points all so far, and this one */
+  void
+  store(const char* record, std::uint8_t* points)
+  {
+    std::uint8_t* const to = points + stored_++ * step_;
+    const Eigen::Vector3d place = lasPlace(record, header_);
+    if (!shift_)
+      shift_ = coordinateShift(place);
+    const Eigen::Vector3f near = (place - *shift_).cast<float>();
+    const auto intensity = static_cast<float>(valueAt<std::uint16_t>(record, 12));
+    std::memcpy(to, near.data(), 3 * sizeof(float));
+    std::memcpy(to + 3 * sizeof(float), &intensity, sizeof intensity);
+    to[classification_] = static_cast<std::uint8_t>(record[record_.classification]);
+    if (record_.color > 0)
+      colors_.store(valueAt<Color16>(record, record_.color), points);
+  }
+
+  /** \brief The shift: coordinates of the file minus those of the points, metres. */
+  Eigen::Vector3d
+  shift() const
+  {
+    return shift_.value_or(Eigen::Vector3d::Zero());
+  }
+
+private:
+  const LasHeader& header_;
+  const LasRecord& record_;
+  std::size_t step_;           ///< bytes of a point
+  std::size_t classification_; ///< offset in a point
+  std::size_t stored_ = 0;
+  LasColors colors_;
+  std::optional<Eigen::Vector3d> shift_;
+};
+
+/** \brief Reads all records, one block after the other.
+ * \param[out] data vector of bytes
+ * \return what was subtracted from coordinates */
+template <typename Bytes>
+Eigen::Vector3d
+readRecords(ByteSource& source,
+            const LasHeader& header,
+            const FieldLayout& layout,
+            Bytes& data,
+            CoordinateCheck& check)
+{
+  LasPoints points(header, layout);
+  std::vector<char> records;
+  appendBlocks(static_cast<std::size_t>(header.points),
+               layout.point_step,
+               ByteSource::maximum_line / header.record_bytes + 1,
+               data,
+               [&](std::size_t count, std::uint8_t* block) {
+                 records.resize(count * header.record_bytes);
+                 source.read(records.data(), records.size());
+                 for (std::size_t i = 0; i < count; ++i)
+                   points.store(&records[i * header.record_bytes], data.data());
+                 check.add(block, layout.point_step, count);
+               });
+  return points.shift();
+}
+
+} // namespace
+
+PointCloudFile
+readLas(ByteSource& source, LargeVector<std::uint8_t>* rows)
+{
+  const LasHeader header = readLasHeader(source);
+  if (source.remaining() < header.first_point - header.header_bytes)
+    source.fail("ends before its points");
+  source.skip(header.first_point - header.header_bytes);
+  requirePointsFit(header.points, header.record_bytes, source);
+  const bool has_color = las_records[header.format].color > 0;
+  const FieldLayout layout = planLayout(lasFields(has_color), source);
+  PointCloudFile file;
+  describeCloud(file.cloud, layout, header.points, 1);
+  CoordinateCheck check(true);
+  intoRows(rows, file.cloud, [&](auto& data) {
+    setShift(readRecords(source, header, layout, data, check), file);
+  });
+  file.up = Eigen::Vector3f::UnitZ();
+  check.finish(file);
+  return file;
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,257 @@
+#include "clouds/field_layout.h"
+#include "clouds/ply_header.h"
+#include "clouds/ply_list_rows.h"
+#include "clouds/point_cloud_readers.h"
+#include "files/byte_source.h"
+#include "files/text_fields.h"
+
+#include <pcl/PCLPointField.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl::acmap {
+
+namespace {
+
+std::string
+pclNameOf(const std::string& name)
+{
+  static constexpr std::pair<const char*, const char*> names[] = {
+      {"nx", "normal_x"}, {"ny", "normal_y"}, {"nz", "normal_z"}};
+  for (const auto& [ply, pcl] : names)
+    if (name == ply)
+      return pcl;
+  return name;
+}
+
+std::vector<SourceField>
+scalarFieldsOf(const PlyElement& element)
+{
+  std::vector<SourceField> fields;
+  for (const PlyProperty& property : element.properties)
+    if (!property.isList())
+      fields.push_back({pclNameOf(property.name), property.datatype, 1});
+  return fields;
+}
+
+/** \brief Reads the rows of the elements in sequence. */
+class PlyRows {
+public:
+  PlyRows(ByteSource& source, PlyHeader::Encoding encoding)
+  : source_(source)
+  , encoding_(encoding)
+  , text_(encoding == PlyHeader::Encoding::ascii)
+  , swap_(encoding == PlyHeader::Encoding::big_endian)
+  {}
+
+  void
+  requireFit(const PlyElement& element)
+  {
+    if (text_)
+      requireTextPointsFit(element.rows, element.properties.size(), source_);
+    else
+      requirePointsFit(element.rows, element.leastBytes(), source_);
+  }
+
+  void
+  readVertices(const PlyElement& element,
+               const FieldLayout& layout,
+               LargeVector<std::uint8_t>* large,
+               PointCloudFile& file);
+
+  void
+  skip(const PlyElement& element);
+
+private:
+  void
+  readListedVertices(const PlyElement& element,
+                     const FieldLayout& layout,
+                     std::uint8_t* points);
+
+  void
+  skipListed(const PlyElement& element);
+
+  Words
+  nextRow(const PlyElement& element, std::uint64_t row);
+
+  void
+  skipList(const PlyProperty& list);
+
+  static void
+  skipList(Words& row, const ByteSource& source);
+
+  void
+  readTextVertex(Words row,
+                 const PlyElement& element,
+                 const FieldLayout& layout,
+                 std::uint8_t* point);
+
+  ByteSource& source_;
+  PlyHeader::Encoding encoding_;
+  bool text_;
+  bool swap_;
+};
+
+Words
+PlyRows::nextRow(const PlyElement& element, std::uint64_t row)
+{
+  std::string_view line;
+  if (!source_.readFilledLine(line))
+    source_.fail("header claims " + std::to_string(element.rows) + " rows of element " +
+                 inQuotes(element.name) + ", the file has " + std::to_string(row));
+  return Words(line);
+}
+
+void
+PlyRows::skipList(Words& row, const ByteSource& source)
+{
+  std::uint64_t length = 0;
+  const std::string_view word = nextWord(row, source);
+  if (!parseCount(word, length))
+    source.failAtLine(inQuotes(word) + " is no length of a list");
+  for (std::uint64_t i = 0; i < length; ++i)
+    nextWord(row, source);
+}
+
+void
+PlyRows::skipList(const PlyProperty& list)
+{
+  std::array<std::uint8_t, 8> bytes{};
+  const std::size_t size = sizeOfType(list.length_datatype);
+  source_.read(bytes.data(), size);
+  if (swap_)
+    swapValues(bytes.data(), size, size, 1);
+  const double length = valueOfType(list.length_datatype, bytes.data());
+  if (length < 0.0)
+    source_.fail("list " + inQuotes(list.name) + " has a negative length");
+  source_.skip(static_cast<std::uint64_t>(length) * sizeOfType(list.datatype));
+}
+
+void
+PlyRows::readTextVertex(Words row,
+                        const PlyElement& element,
+                        const FieldLayout& layout,
+                        std::uint8_t* point)
+{
+  std::size_t field = 0;
+  for (const PlyProperty& property : element.properties) {
+    if (property.isList())
+      skipList(row, source_);
+    else
+      storeField(row, layout, field++, point, source_);
+  }
+}
+
+void
+PlyRows::readVertices(const PlyElement& element,
+                      const FieldLayout& layout,
+                      LargeVector<std::uint8_t>* large,
+                      PointCloudFile& file)
+{
+  const auto rows = static_cast<std::size_t>(element.rows);
+  CoordinateCheck check(layout.narrows);
+  if (!text_ && !element.hasList()) {
+    describeCloud(file.cloud, layout, rows, 1);
+    RecordBlocks blocks(source_, layout, swap_);
+    intoRows(large, file.cloud, [&](auto& data) { blocks.readAll(rows, data, check); });
+    return check.finish(file);
+  }
+  shapeCloud(file.cloud, layout, rows, 1);
+  std::uint8_t* const points = file.cloud.data.data();
+  if (!text_)
+    readListedVertices(element, layout, points);
+  for (std::size_t row = 0; text_ && row < rows; ++row)
+    readTextVertex(
+        nextRow(element, row), element, layout, points + row * layout.point_step);
+  check.add(file);
+  check.finish(file);
+}
+
+void
+PlyRows::readListedVertices(const PlyElement& element,
+                            const FieldLayout& layout,
+                            std::uint8_t* points)
+{
+  const auto moves = layout.moves();
+  std::vector<std::uint8_t> record(layout.source_step);
+  for (std::size_t row = 0; row < element.rows; ++row) {
+    std::size_t offset = 0;
+    for (const PlyProperty& property : element.properties) {
+      if (property.isList()) {
+        skipList(property);
+        continue;
+      }
+      const std::size_t size = sizeOfType(property.datatype);
+      source_.read(&record[offset], size);
+      offset += size;
+    }
+    if (swap_)
+      swapRecords(layout, record.data(), 1);
+    moveRecords(moves, record.data(), 0, points + row * layout.point_step, 0, 1);
+  }
+}
+
+void
+PlyRows::skip(const PlyElement& element)
+{
+  if (element.properties.empty())
+    return;
+  if (text_) {
+    for (std::uint64_t row = 0; row < element.rows; ++row)
+      nextRow(element, row);
+    return;
+  }
+  const std::uint64_t minimum = element.leastBytes();
+  if (element.rows > source_.remaining() / minimum)
+    source_.fail("header claims " + std::to_string(element.rows) + " rows of element " +
+                 inQuotes(element.name) + ", " + std::to_string(source_.remaining()) +
+                 " bytes follow");
+  if (!element.hasList())
+    return source_.skip(element.rows * minimum);
+  skipListed(element);
+}
+
+void
+PlyRows::skipListed(const PlyElement& element)
+{
+  const auto pass = [](const char*, std::uint32_t) { return true; };
+  const std::optional<PlyListRow> layout = planListRow(element, encoding_);
+  for (std::uint64_t row = 0; row < element.rows; ++row) {
+    if (layout)
+      row += forShortLists(source_, *layout, element.rows - row, pass);
+    if (row == element.rows)
+      return;
+    for (const PlyProperty& property : element.properties) {
+      if (property.isList())
+        skipList(property);
+      else
+        source_.skip(sizeOfType(property.datatype));
+    }
+  }
+}
+
+} // namespace
+
+PointCloudFile
+readPly(ByteSource& source, LargeVector<std::uint8_t>* points)
+{
+  const PlyHeader header = readPlyHeader(source);
+  PointCloudFile file;
+  PlyRows rows(source, header.encoding);
+  for (const PlyElement& element : header.elements) {
+    if (element.name != "vertex") {
+      rows.skip(element);
+      continue;
+    }
+    const FieldLayout layout = planLayout(scalarFieldsOf(element), source);
+    rows.requireFit(element);
+    rows.readVertices(element, layout, points, file);
+  }
+  return file;
+}
+
+} // namespace pcl::acmap
