@@ -15,9 +15,9 @@
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/output_folder.h>
+#include <pcl/core/planar_pose.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/mapping/entropy_rectification.h>
-#include <pcl/mapping/impl/rectification_kernel.h>
 #include <pcl/pipeline/chain.h>
 #include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>

@@ -1,4 +1,3 @@
-#include <pcl/core/impl/rigid_alignment.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/mapping/impl/rectification_kernel.h>
 
@@ -11,14 +10,6 @@ requireMapPose(const Eigen::Isometry3d& T_map_camera)
       !(T_map_camera.translation().cwiseAbs().maxCoeff() <= 1e9))
     throw BadArgumentException(
         "a pose must be a rigid motion of at most 1e9 m along each axis");
-}
-
-Eigen::Quaterniond
-uprightRotation(const Eigen::Vector3d& up)
-{
-  const Eigen::Vector3d expected = -Eigen::Vector3d::UnitY();
-  return up == expected ? Eigen::Quaterniond::Identity()
-                        : smallestRotation(up, expected);
 }
 
 Eigen::Isometry3d

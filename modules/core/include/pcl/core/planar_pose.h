@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/export.h>
 #include <pcl/core/fields.h>
 
 #include <Eigen/Geometry>
@@ -79,5 +80,10 @@ planarPartOf(const Eigen::Isometry3d& T_map_camera)
           T_map_camera.translation().z(),
           std::atan2(rotation(0, 2) - rotation(2, 0), rotation(0, 0) + rotation(2, 2))};
 }
+
+/** \brief The rotation from a frame with this up direction to one whose y axis points down,
+ * as poses on the floor have it; exactly the identity for -y. \ingroup core */
+ACMAP_EXPORT Eigen::Quaterniond
+uprightRotation(const Eigen::Vector3d& up);
 
 } // namespace pcl

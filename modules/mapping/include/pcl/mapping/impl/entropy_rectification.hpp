@@ -96,7 +96,7 @@ EntropyRectification<PointT>::compute()
   std::vector<acmap::LevelledPoints> observations(this->poses_.size());
   std::vector<PlanarPose> poses;
   const Eigen::Quaterniond upright =
-      acmap::uprightRotation(acmap::verticalOf(surfaces(), this->given_, up_, report));
+      uprightRotation(acmap::verticalOf(surfaces(), this->given_, up_, report));
   std::vector<Eigen::Isometry3d> given;
   for (const Eigen::Isometry3d& pose : this->given_) {
     given.push_back(upright * pose);

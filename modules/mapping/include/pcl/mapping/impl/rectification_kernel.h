@@ -54,11 +54,6 @@ struct LevelledPoints {
 ACMAP_EXPORT void
 requireMapPose(const Eigen::Isometry3d& T_map_camera);
 
-/** \brief The rotation from a frame with this up direction to one with -y up; exactly
- * the identity for -y. */
-ACMAP_EXPORT Eigen::Quaterniond
-uprightRotation(const Eigen::Vector3d& up);
-
 /** \brief Height and tilt of a pose: the transformation from the sensor's frame to the
  * levelled one. T_map_camera is isometryOf (planarPartOf (T_map_camera)) times this. */
 ACMAP_EXPORT Eigen::Isometry3d
