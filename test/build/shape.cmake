@@ -1,13 +1,21 @@
-# Checks that modules have a README, libraries do not affect the whole
+# Checks that modules have a README, which lists their public headers, libraries do not affect the whole
 # process and are deterministic, and CITATION.cff has the current version. ROOT: the
 # repository.
 cmake_minimum_required(VERSION 3.25)
 file(GLOB modules "${ROOT}/modules/*/CMakeLists.txt")
 foreach(module IN LISTS modules)
-  cmake_path(REPLACE_FILENAME module README.md)
-  if(NOT EXISTS "${module}")
-    message(SEND_ERROR "missing: ${module}")
+  cmake_path(GET module PARENT_PATH folder)
+  set(text)
+  if(EXISTS "${folder}/README.md")
+    file(READ "${folder}/README.md" text)
   endif()
+  file(GLOB headers "${folder}/include/pcl/*/*.h" "${folder}/include/pcl/*/*.h.in")
+  foreach(header IN LISTS headers)
+    cmake_path(GET header STEM name)
+    if(NOT text MATCHES "[`/]${name}\\.h`")
+      message(SEND_ERROR "${folder}/README.md does not list ${name}.h")
+    endif()
+  endforeach()
 endforeach()
 
 find_program(grep grep REQUIRED)
