@@ -187,10 +187,22 @@ TrinocularFileGrabber::getRig() const
   return state_->source->rig();
 }
 
+std::string
+TrinocularFileGrabber::folder() const
+{
+  return state_->source->folder();
+}
+
 std::size_t
 TrinocularFileGrabber::frames() const
 {
   return state_->source->size();
+}
+
+std::optional<std::int32_t>
+TrinocularFileGrabber::observationOf(std::size_t index) const
+{
+  return state_->source->observation(index);
 }
 
 TrinocularFrame::Ptr
@@ -201,6 +213,16 @@ TrinocularFileGrabber::frame(std::size_t index) const
                                " is refused: there are " + std::to_string(frames()) +
                                " frames");
   return state_->read(index);
+}
+
+FrameFaults
+TrinocularFileGrabber::faults() const
+{
+  TrinocularFileReport report = getReport();
+  return {std::move(report.broken),
+          std::move(report.saturated),
+          std::move(report.black),
+          std::move(report.remarks)};
 }
 
 void

@@ -3,7 +3,9 @@
 #include <pcl/acquisition/trinocular_file_grabber.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,15 @@ public:
   /** \brief The number of a frame; does not read the frame. */
   virtual std::uint64_t
   number(std::size_t index) const = 0;
+
+  /** \brief The observation of a frame; does not read its images. Nothing if its header is
+   * broken. */
+  virtual std::optional<std::int32_t>
+  observation(std::size_t index) const = 0;
+
+  /** \brief Folder of a session, else empty. */
+  virtual std::string
+  folder() const = 0;
 
   /** \throws InputFileException naming file, frame and fault */
   virtual TrinocularFrame

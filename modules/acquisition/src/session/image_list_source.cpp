@@ -60,6 +60,18 @@ public:
     return index;
   }
 
+  std::optional<std::int32_t>
+  observation(std::size_t) const override
+  {
+    return 0;
+  }
+
+  std::string
+  folder() const override
+  {
+    return {};
+  }
+
   TrinocularFrame
   read(std::size_t index) const override
   {

@@ -22,6 +22,7 @@ public:
   : folder_(std::move(folder))
   , rig_(rig)
   , numbers_(std::move(numbers))
+  , observations_(numbers_.size())
   {}
 
   std::size_t
@@ -34,6 +35,18 @@ public:
   number(std::size_t index) const override
   {
     return numbers_[index];
+  }
+
+  std::optional<std::int32_t>
+  observation(std::size_t index) const override
+  {
+    return observations_[index];
+  }
+
+  std::string
+  folder() const override
+  {
+    return folder_;
   }
 
   TrinocularFrame
@@ -50,11 +63,13 @@ public:
     return rig_;
   }
 
+  /** Takes the observation of a frame, too. */
   FrameHeader
-  readHeader(std::size_t index) const
+  readHeader(std::size_t index)
   {
     const FrameHeader header = loadFrameHeader(path(index));
     requireFitting(index, header);
+    observations_[index] = header.observation;
     return header;
   }
 
@@ -79,6 +94,7 @@ private:
   std::string folder_;
   TrinocularRig rig_;
   std::vector<std::uint64_t> numbers_;
+  std::vector<std::optional<std::int32_t>> observations_;
 };
 
 constexpr std::size_t max_told = 1000;
@@ -157,7 +173,7 @@ findGaps(const SessionSource& source, TrinocularFileReport& report)
 }
 
 void
-surveyFrames(const SessionSource& source, TrinocularFileReport& report)
+surveyFrames(SessionSource& source, TrinocularFileReport& report)
 {
   ShotNumbers shots;
   for (std::size_t i = 0; i < source.size(); ++i)

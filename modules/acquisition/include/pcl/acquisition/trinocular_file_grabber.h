@@ -2,12 +2,14 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/fields.h>
+#include <pcl/core/frame_reader.h>
 #include <pcl/core/report.h>
 #include <pcl/core/streamed_grabber.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -102,7 +104,8 @@ struct TrinocularImageLists {
  *   std::rethrow_exception (grabber.getError ());
  * \endcode
  * \ingroup acquisition */
-class ACMAP_EXPORT TrinocularFileGrabber : public acmap::StreamedGrabber {
+class ACMAP_EXPORT TrinocularFileGrabber : public acmap::StreamedGrabber,
+                                           public FrameReader {
 public:
   /** \brief Opens a session. A session that was never finished is accepted and noted in
    * the report.
@@ -144,9 +147,14 @@ public:
   TrinocularRig
   getRig() const override;
 
-  /** \brief Number of frames, including broken ones. */
+  std::string
+  folder() const override;
+
   std::size_t
-  frames() const;
+  frames() const override;
+
+  std::optional<std::int32_t>
+  observationOf(std::size_t index) const override;
 
   /** \brief Reads one frame, independently of the stream.
    * \param[in] index from 0 to \ref frames - 1; not the frame's number, which may have
@@ -155,7 +163,10 @@ public:
    * \throws InputFileException naming file, frame and fault when the frame cannot be
    * read, or its images do not match the rig */
   TrinocularFrame::Ptr
-  frame(std::size_t index) const;
+  frame(std::size_t index) const override;
+
+  FrameFaults
+  faults() const override;
 
   /** \brief Sets whether frames that cannot be read are skipped and only noted in the
    * report; otherwise (default) the first one ends the stream with an error that names
