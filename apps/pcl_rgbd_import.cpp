@@ -6,6 +6,7 @@
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/observation_writing.h>
 #include <pcl/pipeline/rgbd_observation.h>
 #include <pcl/pipeline/rgbd_sequence.h>
 
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <numeric>
 #include <optional>
 
@@ -42,7 +44,7 @@ struct ImportOptions {
 /** \brief Results so far. */
 struct RgbdImport {
   Trajectory trajectory; ///< T_first_camera; identity without poses
-  Eigen::Isometry3d T_first_world;
+  std::optional<Eigen::Isometry3d> T_first_world;
   RgbdImageSizes sizes;    ///< of the images of all frames
   std::size_t empty = 0;   ///< observations without a point
   std::size_t refined = 0; ///< observations whose depth was quantised
@@ -195,11 +197,11 @@ camerasOf(const ImportOptions& options, const RgbdSequence& sequence)
 Eigen::Isometry3d
 poseInMap(const Eigen::Isometry3d& T_world_camera, RgbdImport& import)
 {
-  if (import.trajectory.poses.empty()) {
+  if (!import.T_first_world) {
     import.T_first_world = T_world_camera.inverse();
     return Eigen::Isometry3d::Identity();
   }
-  return import.T_first_world * T_world_camera;
+  return *import.T_first_world * T_world_camera;
 }
 
 void
@@ -221,31 +223,28 @@ countDepths(const PCLPointCloud2& cloud, double depth_scale, RgbdImport& import)
     ++import.empty;
 }
 
-/** \brief Converts a frame to an observation in the folder. All of the frame is read
- * and checked before anything is counted or written.
+/** \brief Converts a frame to an observation. All of the frame is read and checked before
+ * anything is counted.
  * \throws InputFileException when an image or the pose is missing, malformed, or
  * differs in size from the previous ones */
-void
+ObservationToWrite
 importFrame(const RgbdFrame& frame,
             bool has_poses,
             const RgbdCameras& cameras,
-            const OutputFolder& folder,
             unsigned threads,
             RgbdImport& import)
 {
   const Eigen::Isometry3d T_world_camera =
       has_poses ? loadPose(frame, cameras) : Eigen::Isometry3d::Identity();
-  const RgbdObservation observation =
+  RgbdObservation observation =
       loadRgbdObservation(frame, cameras, import.sizes, threads);
   const Eigen::Isometry3d T_map_camera = poseInMap(T_world_camera, import);
-  saveObservation(folder.path(observationName(import.trajectory.poses.size())),
-                  observation.cloud,
-                  T_map_camera);
   countDepths(observation.cloud, cameras.meaning.scale, import);
   import.refined += observation.is_refined ? 1 : 0;
   import.sizes = observation.sizes;
-  import.trajectory.stamps.push_back(frame.stamp);
-  import.trajectory.poses.push_back(T_map_camera);
+  return {std::make_shared<PCLPointCloud2>(std::move(observation.cloud)),
+          T_map_camera,
+          frame.stamp};
 }
 
 void
@@ -256,19 +255,24 @@ importFrames(const ImportOptions& options,
              const RunControls& controls,
              RgbdImport& import)
 {
-  const Progress told(controls.progress);
-  for (std::size_t i = 0; i < frames.size(); i += options.every) {
-    told.tell(static_cast<double>(i) / static_cast<double>(frames.size()), "importing");
+  const auto convert = [&](std::size_t i) -> std::optional<ObservationToWrite> {
     try {
-      importFrame(
-          frames[i], !options.no_poses, cameras, folder, controls.threads, import);
+      return importFrame(frames[i * options.every],
+                         !options.no_poses,
+                         cameras,
+                         controls.threads,
+                         import);
     }
     catch (const InputFileException&) {
       if (!options.skip_broken)
         throw;
       import.broken.push_back(failureOf(std::current_exception()).line);
+      return {};
     }
-  }
+  };
+  const std::size_t count = (frames.size() + options.every - 1) / options.every;
+  import.trajectory =
+      writeObservations(folder, count, convert, {controls.progress, "importing"});
 }
 
 void

@@ -6,6 +6,7 @@
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/observation_writing.h>
 #include <pcl/simulation/repeated_scene.h>
 #include <pcl/simulation/scene_file.h>
 #include <pcl/simulation/simulated_light.h>
@@ -304,27 +305,21 @@ observeCopy(const pcl::SimulatedScene& scene, std::size_t view, std::uint64_t se
 /** \param[in] scene without its copies
  * \param[in] trajectory of all views of all copies */
 Counts
-writeObservations(const SimulationOptions& options,
-                  const pcl::SimulatedScene& scene,
-                  const pcl::Trajectory& trajectory,
-                  const OutputFolder& folder,
-                  const RunControls& controls,
-                  MergedRows& merged)
+writeClouds(const SimulationOptions& options,
+            const pcl::SimulatedScene& scene,
+            const pcl::Trajectory& trajectory,
+            const OutputFolder& folder,
+            const RunControls& controls,
+            MergedRows& merged)
 {
   Counts counts;
   counts.points.of_label.resize(
       options.columns * options.rows * scene.geometry.planes().size() + 1);
   counts.observations = trajectory.poses.size();
-  const Progress told(controls.progress);
-  for (std::size_t view = 0; view < counts.observations; ++view) {
-    told.tell(static_cast<double>(view) / static_cast<double>(counts.observations),
-              "observing");
+  const auto observe = [&](std::size_t view) -> std::optional<ObservationToWrite> {
     const pcl::SimulatedObservation observation = withThreads(controls.threads, [&] {
       return observeCopy(scene, view, options.settings.seed);
     });
-    saveObservation(folder.path(observationName(view)),
-                    pcl::cloudOf(observation),
-                    trajectory.poses[view]);
     if (!options.merged.empty())
       merged.append(observation, view);
     counts.points.all += observation.points;
@@ -335,7 +330,11 @@ writeObservations(const SimulationOptions& options,
         counts.sparse++ == 0)
       counts.first_sparse =
           observationName(view) + " with " + std::to_string(observation.points);
-  }
+    return {{std::make_shared<pcl::PCLPointCloud2>(pcl::cloudOf(observation)),
+             trajectory.poses[view]}};
+  };
+  writeObservations(
+      folder, counts.observations, observe, {controls.progress, "observing"});
   return counts;
 }
 
@@ -377,7 +376,7 @@ makeClouds(const SimulationOptions& options,
   const pcl::Trajectory trajectory = pcl::trajectoryOf(building, building.views.size());
   MergedRows merged(trajectory);
   const Counts counts =
-      writeObservations(options, filmed, trajectory, folder, controls, merged);
+      writeClouds(options, filmed, trajectory, folder, controls, merged);
   if (counts.points.all == 0)
     throw NothingFound(options.scene + ": no view sees anything in reach");
   timer.finish("observe");
