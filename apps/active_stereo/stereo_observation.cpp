@@ -1,13 +1,9 @@
 #include "stereo_observation.h"
 
 #include "fields_json.h"
-#include "memory.h"
 #include "output_target.h"
 
-#include <pcl/conversions.h>
 #include <pcl/core/image_file.h>
-#include <pcl/core/impl/size_text.h>
-#include <pcl/core/rig_cameras.h>
 #include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
@@ -21,18 +17,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr auto matched_index = static_cast<std::size_t>(DisparityOutcome::Matched);
 constexpr const char* disparity_name = "disparity";
-
-/** \brief Memory for the costs of all disparities of a rig's views, in bytes. */
-std::size_t
-disparityMemory(const TrinocularRig& rig, const SearchRange& range)
-{
-  constexpr double bytes = 4.0; // one disparity of a pair
-  // the vertical pair has disparities in proportion to its baseline
-  const double pairs =
-      (std::abs(rig.baseline_horizontal) + std::abs(rig.baseline_vertical)) /
-      disparityBaseline(rig);
-  return static_cast<std::size_t>(bytes * pairs * rig.width * rig.height * range.count);
-}
 
 /** \brief Draws disparities as a grey picture, 8 bits per pixel: near is bright (64 to
  * 255), black (0) means invalid. The grey levels span the disparities without the
@@ -73,99 +57,6 @@ percent(double share)
 
 } // namespace
 
-double
-depthOf(const TrinocularRig& rig, double disparity)
-{
-  return rig.focal_length * disparityBaseline(rig) / disparity;
-}
-
-SearchRange
-disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest)
-{
-  // supported by TrinocularMatching
-  constexpr int fewest_disparities = 8;
-  constexpr int max_disparities = 1024;
-  const double longest =
-      (hasCamera(rig, RigCamera::Horizontal) ? rig.width : rig.height) - 1.0;
-  // the conversion between depth and disparity is its own inverse
-  const double from = std::floor(depthOf(rig, farthest)) - 1.0;
-  if (from > longest)
-    throw UsageError("--max-depth: at " + shortNumber(farthest) +
-                     " m disparities are longer than the image, " +
-                     std::to_string(static_cast<long>(longest)) +
-                     " px; the rig's baseline is " +
-                     shortNumber(disparityBaseline(rig)) + " m");
-  const double to = std::min(std::ceil(depthOf(rig, nearest)) + 1.0, longest);
-  SearchRange range;
-  range.minimum = static_cast<int>(std::max(from, 0.0));
-  range.count = std::clamp(
-      static_cast<int>(to) - range.minimum + 1, fewest_disparities, max_disparities);
-  return range;
-}
-
-SearchRange
-setUpStereo(const TrinocularRig& rig,
-            const StereoOptions& options,
-            unsigned threads,
-            DisparityFusion& fusion,
-            DisparityBackProjection& projection)
-{
-  const double nearest = options.projection.getMinimumDepth();
-  const double farthest = options.projection.getMaximumDepth();
-  const SearchRange range = disparitiesBetween(rig, nearest, farthest);
-  requireMemory(disparityMemory(rig, range),
-                std::to_string(range.count) + " disparities of " + sizeText(rig) +
-                    " pixels");
-  TrinocularMatching matching = options.matching;
-  matching.setXOffset(range.minimum);
-  matching.setMaxDisparity(range.count);
-  fusion.setMatching(matching);
-  fusion.setInputRig(rig);
-  fusion.setMethod(disparityFusionMethod(options.method));
-  fusion.setPassive(options.isPassive());
-  fusion.setNumberOfThreads(threads);
-  projection.setInputRig(rig);
-  projection.setMinimumDepth(nearest);
-  projection.setMaximumDepth(farthest);
-  projection.setNumberOfThreads(threads);
-  return range;
-}
-
-ShotFusion::ShotFusion(const TrinocularRig& rig,
-                       const StereoOptions& options,
-                       unsigned threads)
-: range_(setUpStereo(rig, options, threads, fusion_, projection_))
-{}
-
-MadeObservation
-ShotFusion::make(const ObservationShots& shots, const ProgressCallback& progress)
-{
-  // most of the time is spent in the step that does the matching
-  const bool at_once = fusion_.getMethod() == DisparityFusion::Method::SpaceTime;
-  const double share_of_shots = at_once ? 0.05 : 0.95;
-  const auto count = static_cast<double>(shots.frames.size());
-  double begin = 0;
-  double end = 0;
-  fusion_.setProgressCallback([&](double fraction, const std::string& step) {
-    return progress(std::min(begin + fraction * (end - begin), end), step);
-  });
-
-  MadeObservation made;
-  fusion_.clear();
-  for (const TrinocularFrame::ConstPtr& frame : shots.frames) {
-    end = share_of_shots * static_cast<double>(fusion_.shots() + 1) / count;
-    fusion_.addShot(frame);
-    begin = end;
-  }
-  end = 1;
-  fusion_.fuse(made.matched);
-  fusion_.setProgressCallback({}); // the callback refers to local variables
-  made.fusion = fusion_.getReport();
-  projection_.project(made.matched, fusion_.getColor(), made.cloud);
-  made.projection = projection_.getReport();
-  return made;
-}
-
 void
 requireNoStereo(const OutputFolder& folder)
 {
@@ -175,21 +66,16 @@ requireNoStereo(const OutputFolder& folder)
 }
 
 void
-saveResults(const OutputFolder& folder,
-            const StereoOptions& options,
-            std::size_t number,
-            const MadeObservation& made,
-            const Eigen::Isometry3d& T_map_camera)
+saveDisparity(const OutputFolder& folder,
+              const StereoOptions& options,
+              const SessionObservation& made)
 {
-  PCLPointCloud2 cloud;
-  toPCLPointCloud2(made.cloud, cloud);
-  saveObservation(folder.path(observationName(number)), cloud, T_map_camera);
   if (!options.hasLists() && !options.disparity)
     return;
   const auto path = [&](const char* ending) {
     return folder.path(options.hasLists()
                            ? std::string(disparity_name) + ending
-                           : numberedName(disparity_name, number, ending));
+                           : numberedName(disparity_name, made.number, ending));
   };
   const DisparityImage& disparity = made.matched.disparity;
   savePfm(path(".pfm"), disparity);
@@ -197,18 +83,16 @@ saveResults(const OutputFolder& folder,
 }
 
 void
-StereoResults::add(std::size_t number,
-                   std::size_t frame_count,
-                   const MadeObservation& made)
+StereoResults::add(const SessionObservation& made)
 {
   const DisparityFusionReport& fusion = made.fusion;
   const DisparityBackProjectionReport& projection = made.projection;
   std::vector<std::string> all_remarks = fusion.remarks;
   all_remarks.insert(
       all_remarks.end(), projection.remarks.begin(), projection.remarks.end());
-  Json observation = {{"observation", number},
-                      {"file", observationName(number)},
-                      {"frames", frame_count}};
+  Json observation = {{"observation", made.number},
+                      {"file", observationName(made.number)},
+                      {"frames", made.frames}};
   observation.update(fieldsOf(fusion, {{"is_passive"}}));
   observation["matched"] = fusion.outcomes[matched_index];
   observation.update(fieldsOf(projection, {{"invalid"}}));
@@ -234,14 +118,15 @@ StereoResults::add(const Json& observation)
     pixels += found;
   }
   for (const Json& text : observation.at("remarks"))
-    remarks[text.get<std::string>()].push_back(number);
-  observations.push_back(observation);
+    remarks_of[text.get<std::string>()].push_back(number);
+  ++observations;
+  entries.push_back(observation);
 }
 
 bool
 StereoResults::has(std::size_t number) const
 {
-  return std::any_of(observations.begin(), observations.end(), [&](const Json& entry) {
+  return std::any_of(entries.begin(), entries.end(), [&](const Json& entry) {
     return entry.at("observation") == number;
   });
 }
@@ -285,7 +170,7 @@ StereoResults::tellPoints(StageLog& log) const
 void
 StereoResults::warnOfRemarks(StageLog& log) const
 {
-  for (const auto& [text, numbers] : remarks)
+  for (const auto& [text, numbers] : remarks_of)
     log.warn("observation " + std::to_string(numbers.front()) +
              (numbers.size() > 1
                   ? " and " + std::to_string(numbers.size() - 1) + " others: "

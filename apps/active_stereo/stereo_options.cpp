@@ -49,7 +49,7 @@ addLists(CLI::App& app, StereoOptions& options)
                "always are")
       ->needs(reference);
   app.add_option("--color",
-                 options.color,
+                 options.settings.color,
                  "Image of the reference view with the projector off, for the colours "
                  "[default: the mean of the shots]")
       ->type_name("IMG")
@@ -69,7 +69,7 @@ requireSenseOfInput(const StereoOptions& options)
   requireStereoSense(options);
   if (!options.hasLists())
     return;
-  if (options.unlit)
+  if (options.settings.unlit)
     throw UsageError("--unlit is for a session; one image per camera is matched as "
                      "passive stereo unless --active is given");
   if (options.active && !options.hasOneShot())
@@ -78,7 +78,7 @@ requireSenseOfInput(const StereoOptions& options)
   if (options.has_method && options.hasOneShot())
     throw UsageError("--method says how shots are fused; with one image per camera "
                      "there is nothing to fuse");
-  if (!options.color.empty() && options.isPassive())
+  if (!options.settings.color.empty() && options.isPassive())
     throw UsageError("--color is for shots under patterns; with one image per camera "
                      "the colours are those of --reference, unless --active says that "
                      "it was taken under a pattern");
@@ -91,6 +91,20 @@ requireSenseOfInput(const StereoOptions& options)
 }
 
 } // namespace
+
+SessionSettings
+StereoOptions::sessionSettings(unsigned threads) const
+{
+  SessionSettings chosen = settings;
+  chosen.method = disparityFusionMethod(method);
+  chosen.passive = isPassive();
+  chosen.rig = rigPath();
+  if (hasLists())
+    chosen.rectify = rectify;
+  chosen.skip_broken = !hasLists();
+  chosen.threads = threads;
+  return chosen;
+}
 
 void
 addStereoChoices(CLI::App& app, StereoOptions& options)
@@ -108,14 +122,14 @@ addStereoChoices(CLI::App& app, StereoOptions& options)
   addSetter(
       app,
       "--min-depth",
-      options.projection,
+      options.settings.projection,
       &DisparityBackProjection::setMinimumDepth,
       &DisparityBackProjection::getMinimumDepth,
       "Depth from which on points are searched for, metres; nearer ones take longer",
       "M");
   addSetter(app,
             "--max-depth",
-            options.projection,
+            options.settings.projection,
             &DisparityBackProjection::setMaximumDepth,
             &DisparityBackProjection::getMaximumDepth,
             "Depth up to which points are searched for, metres",
@@ -123,14 +137,14 @@ addStereoChoices(CLI::App& app, StereoOptions& options)
   addSetter<double>(
       app,
       "--min-correlation",
-      [&](double least) { options.matching.setCorrelationThreshold(least); },
+      [&](double least) { options.settings.matching.setCorrelationThreshold(least); },
       "Least correlation (ZNCC) of a match, -1 to 1 [default: by the number of "
       "shots, -1 without a pattern]",
       "C");
   addSetter<double>(
       app,
       "--min-texture",
-      [&](double least) { options.matching.setPeakFilter(least); },
+      [&](double least) { options.settings.matching.setPeakFilter(least); },
       "Least standard deviation of a pixel's grey levels over the shots, or, with "
       "one or two shots, over the pixels around it, 0 to 128: what the projector "
       "does not reach has less [default: by the number of shots, 0 without a "
@@ -142,7 +156,7 @@ void
 addUnlit(CLI::App& app, StereoOptions& options)
 {
   app.add_flag("--unlit",
-               options.unlit,
+               options.settings.unlit,
                "Passive stereo: match the first shot without projected light of each "
                "observation, instead of those under patterns");
 }
@@ -178,11 +192,11 @@ addOptions(Tool& tool, StereoOptions& options)
 void
 requireStereoSense(const StereoOptions& options)
 {
-  if (options.unlit && options.has_method)
+  if (options.settings.unlit && options.has_method)
     throw UsageError("--method says how shots under patterns are fused; with --unlit "
                      "there is nothing to fuse");
-  const double nearest = options.projection.getMinimumDepth();
-  const double farthest = options.projection.getMaximumDepth();
+  const double nearest = options.settings.projection.getMinimumDepth();
+  const double farthest = options.settings.projection.getMaximumDepth();
   if (nearest >= farthest)
     throw UsageError("--min-depth " + shortNumber(nearest) +
                      " is not below --max-depth " + shortNumber(farthest));
@@ -196,7 +210,8 @@ requireSense(const Tool& tool, const StereoOptions& options)
   const OutputFolder folder(options.output);
   if (!options.hasLists() && folder.holds(options.session + "/any"))
     throw UsageError(options.output + ": is the session's folder, too");
-  std::vector<std::string> inputs = {options.rigPath(), options.poses, options.color};
+  std::vector<std::string> inputs = {
+      options.rigPath(), options.poses, options.settings.color};
   for (const auto& list :
        {options.images.reference, options.images.horizontal, options.images.vertical})
     inputs.insert(inputs.end(), list.begin(), list.end());

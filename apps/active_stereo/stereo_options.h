@@ -3,34 +3,22 @@
 #include "tool.h"
 
 #include <pcl/acquisition/trinocular_file_grabber.h>
-#include <pcl/stereo/disparity_back_projection.h>
-#include <pcl/stereo/trinocular_matching.h>
+#include <pcl/pipeline/session_source.h>
 
 namespace pcl::acmap {
 
 /** \brief Options of the user. */
 struct StereoOptions {
-  /** \brief Sets the depths for rooms: nearer points take longer. */
-  StereoOptions()
-  {
-    constexpr double nearest = 0.5, farthest = 10; // metres
-    projection.setMinimumDepth(nearest);
-    projection.setMaximumDepth(farthest);
-  }
-
   std::string session; ///< folder; empty without a session
   TrinocularImageLists images;
   std::string rig;      ///< of the image lists
-  std::string color;    ///< image of the reference view; empty: colours of the shots
   bool rectify = false; ///< the lists
   bool active = false;  ///< one image per camera was taken under a pattern
-  bool unlit = false;   ///< only the shots without a pattern of a session are used
   std::string output;
   std::string method = "spacetime";
-  bool has_method = false; ///< whether the method was given
-  TrinocularMatching matching;
-  DisparityBackProjection projection; ///< without rig
-  std::string poses;                  ///< trajectory; empty: none
+  bool has_method = false;  ///< whether the method was given
+  SessionSettings settings; ///< without what the other options say
+  std::string poses;        ///< trajectory; empty: none
   bool disparity = false;
   bool goes_on = false; ///< continue an interrupted run
 
@@ -51,7 +39,7 @@ struct StereoOptions {
   bool
   isPassive() const
   {
-    return unlit || (hasOneShot() && !active);
+    return settings.unlit || (hasOneShot() && !active);
   }
 
   /** \brief Path of the file of the rig. */
@@ -60,6 +48,10 @@ struct StereoOptions {
   {
     return hasLists() ? rig : session + "/rig.yaml";
   }
+
+  /** \brief All that these options say. */
+  SessionSettings
+  sessionSettings(unsigned threads) const;
 };
 
 /** \brief Adds the options to the command line. */
@@ -85,6 +77,21 @@ requireSense(const Tool& tool, const StereoOptions& options);
  * \throws UsageError naming them */
 void
 requireStereoSense(const StereoOptions& options);
+
+/** \brief Sets up stereo for a rig.
+ * \param[in] make does so, as \ref setUpStereo
+ * \throws UsageError for depths that do not suit the rig */
+template <typename Make>
+auto
+withDepths(const Make& make)
+{
+  try {
+    return make();
+  }
+  catch (const BadArgumentException&) {
+    throw UsageError("--max-depth: " + failureOf(std::current_exception()).line);
+  }
+}
 
 /** \brief Computes the observations of a session, or the one of image lists, and writes
  * them into a folder: the complete work of pcl_active_stereo.

@@ -1,16 +1,17 @@
-#include "shot_source.h"
 #include "stereo_observation.h"
 
 #include "fields_json.h"
 #include "memory.h"
 #include "output_target.h"
 
+#include <pcl/conversions.h>
 #include <pcl/core/rig_cameras.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/observation_writing.h>
 
 #include <filesystem>
-#include <future>
+#include <memory>
 
 namespace pcl::acmap {
 
@@ -22,6 +23,34 @@ using Json = nlohmann::ordered_json;
 /** \brief Name of the file that lists the finished observations, from which a later run
  * can continue. */
 constexpr const char* finished_name = "finished.json";
+
+/** \brief The rig of image lists: cameras without a list are not used.
+ * \throws UsageError for a list of a camera that is not in the rig */
+TrinocularRig
+rigOfLists(const StereoOptions& options)
+{
+  TrinocularRig rig = loadTrinocularRig(options.rig);
+  const auto use =
+      [&](RigCamera camera, const std::vector<std::string>& images, double& baseline) {
+        const std::string name = nameOf(camera);
+        if (images.empty())
+          baseline = 0.0;
+        else if (baseline == 0.0)
+          throw UsageError("--" + name + ": " + options.rig + " has no " + name +
+                           " camera");
+      };
+  use(RigCamera::Horizontal, options.images.horizontal, rig.baseline_horizontal);
+  use(RigCamera::Vertical, options.images.vertical, rig.baseline_vertical);
+  return rig;
+}
+
+std::shared_ptr<const FrameReader>
+openFrames(const StereoOptions& options)
+{
+  if (options.hasLists())
+    return std::make_shared<TrinocularFileGrabber>(options.images, rigOfLists(options));
+  return std::make_shared<TrinocularFileGrabber>(options.session);
+}
 
 StereoResults
 finishedBefore(const StereoOptions& options)
@@ -49,12 +78,16 @@ class StereoRun {
 public:
   StereoRun(const StereoOptions& options, const RunControls& controls)
   : options_(options)
-  , source_(options, controls.threads)
-  , fusion_(source_.rig(), options, controls.threads)
+  , frames_(openFrames(options))
+  , session_(withDepths([&] {
+    return openSession(
+        frames_, options.sessionSettings(controls.threads), memoryCheck());
+  }))
   {
     if (!options.poses.empty()) {
       poses_ = loadTrajectory(options.poses);
-      poseOf(source_.lastObservation());
+      if (session_->size() > 0)
+        poseOf(session_->numberOf(session_->size() - 1));
     }
     folder_.emplace(options.output);
     if (!options.goes_on)
@@ -67,35 +100,34 @@ public:
   /** \brief Computes the observations one after another, while the next one is read.
    * Seconds of each step are summed over the observations. */
   void
-  writeObservations(const ProgressCallback& progress, Report& report)
+  writeAll(const ProgressCallback& progress, Report& report)
   {
     Report steps;
     StepTimer timer(steps);
-    const Progress told(
-        [&](double done, const auto& step) { return progress(done, step); });
-    const auto read_on = [&] {
-      return std::async(std::launch::async, [&] { return source_.next(); });
-    };
-    double begin = 0;
-    for (std::future<ComingShots> next = read_on();;) {
-      told.tell(begin, "reading shots");
-      const auto [shots, done] = next.get();
+    const auto count = static_cast<double>(session_->size());
+    SessionObservation made;
+    const auto make = [&](std::size_t i) -> std::optional<ObservationToWrite> {
+      const std::optional<ObservationShots> shots = session_->nextShots();
       timer.finish("wait for shots");
-      if (!shots)
-        break;
-      next = read_on();
-      if (!results_.has(shots->number)) {
-        const MadeObservation made = fusion_.make(
-            *shots, [&, end = done](double fraction, const std::string& step) {
-              return progress(std::min(begin + fraction * (end - begin), end), step);
-            });
-        timer.finish("match");
-        results_.add(shots->number, shots->frames.size(), made);
-        save(shots->number, made);
-        timer.finish("write");
-      }
-      begin = done;
-    }
+      if (!shots || results_.has(shots->number))
+        return {};
+      made = session_->fuse(*shots, [&](double fraction, const std::string& step) {
+        return progress((static_cast<double>(i) + fraction) / count, step);
+      });
+      timer.finish("match");
+      results_.add(made);
+      PCLPointCloud2::Ptr cloud(new PCLPointCloud2);
+      toPCLPointCloud2(made.cloud, *cloud);
+      return {{cloud, poseOf(made.number), 0, observationName(made.number)}};
+    };
+    const auto finish = [&](const ObservationToWrite&) {
+      saveDisparity(*folder_, options_, made);
+      if (options_.goes_on)
+        commitSoFar();
+      timer.finish("write");
+    };
+    writeObservations(
+        *folder_, session_->size(), make, {progress, "reading shots", finish});
     for (const char* const step : {"wait for shots", "match", "write"}) {
       double sum = 0;
       for (const auto& [name, seconds] : steps.seconds)
@@ -115,7 +147,7 @@ public:
     folder_->commit();
     throw InterruptedPartway("interrupted; observations finished by then, in " +
                              options_.output + ": " +
-                             std::to_string(results_.observations.size()));
+                             std::to_string(results_.observations));
   }
 
   /** \brief Moves the results to their final place.
@@ -125,11 +157,12 @@ public:
   finish(StageLog& log)
   {
     warn(log);
-    if (results_.observations.empty())
+    if (results_.observations == 0)
       throw InputFileException(
           options_.session +
-          (options_.unlit ? ": has no shot without projected light that can be read"
-                          : ": has no frame that can be read") +
+          (options_.settings.unlit
+               ? ": has no shot without projected light that can be read"
+               : ": has no frame that can be read") +
           (log.report.remarks.empty() ? "" : ", " + log.report.remarks[0]));
     if (results_.points == 0)
       log.failWithNothing((options_.session.empty() ? "" : options_.session + ": ") +
@@ -143,37 +176,38 @@ public:
   void
   tell(StageLog& log) const
   {
-    const SearchRange& range = fusion_.range();
+    const SearchRange& range = session_->range();
     // it is above the requested one if image or matcher limit the disparities
-    const double nearest = std::max(options_.projection.getMinimumDepth(),
-                                    depthOf(source_.rig(), range.maximum()));
+    const DisparityBackProjection& depths = options_.settings.projection;
+    const double nearest =
+        std::max(depths.getMinimumDepth(), depthOf(session_->rig(), range.maximum()));
     log.details = {
         {"input", options_.hasLists() ? options_.rig : options_.session},
         {"output", options_.output},
-        {"frames", source_.isRectifying() ? "raw" : "rectified"},
+        {"frames", session_->isRectifying() ? "raw" : "rectified"},
         {"method", options_.isPassive() ? "passive" : options_.method},
         {"least_disparity", range.minimum},
         {"most_disparity", range.maximum()},
         {"least_depth", nearest},
-        {"most_depth", options_.projection.getMaximumDepth()},
+        {"most_depth", depths.getMaximumDepth()},
         {"has_poses", !options_.poses.empty()},
         {"points", results_.points},
         {"matched_share", results_.matchedShare()},
         {"outcomes",
          FieldValueJson()(Named{results_.outcomes, disparity_outcome_names})},
-        {"broken_frames", source_.broken()},
-        {"findings", source_.remarks()},
-        {"observations", results_.observations}};
-    log.tell("observations", std::to_string(results_.observations.size()));
+        {"broken_frames", frames_->faults().broken},
+        {"findings", session_->remarks()},
+        {"observations", results_.entries}};
+    log.tell("observations", std::to_string(results_.observations));
     log.tell("frames",
-             std::to_string(results_.frames) + (source_.isRectifying()
+             std::to_string(results_.frames) + (session_->isRectifying()
                                                     ? ", rectified here"
                                                     : ", taken as rectified"));
     log.tell("method", methodText());
     log.tell("searched",
              std::to_string(range.minimum) + " to " + std::to_string(range.maximum()) +
                  " px, depths of " + shortNumber(nearest) + " to " +
-                 shortNumber(options_.projection.getMaximumDepth()) + " m");
+                 shortNumber(depths.getMaximumDepth()) + " m");
     results_.tellPoints(log);
     if (!options_.hasLists())
       log.tell("poses", options_.poses.empty() ? "none" : options_.poses);
@@ -197,26 +231,24 @@ private:
     return poses_.poses[observation];
   }
 
-  /** Writes an observation into the hidden part of the folder. If a later run is to
-   * continue from it, it is moved to its final place, with the statistics so far: a run
-   * that is killed loses only the observation that it was working on. */
+  /** Moves the observations so far to their final place, with their statistics, from
+   * which a later run is to continue: a run that is killed loses only the observation
+   * that it was working on. */
   void
-  save(std::size_t number, const MadeObservation& made) const
+  commitSoFar()
   {
-    if (!options_.goes_on)
-      return saveResults(*folder_, options_, number, made, poseOf(number));
-    OutputFolder finished(options_.output);
-    saveResults(finished, options_, number, made, poseOf(number));
-    saveJson(finished.path(finished_name), results_.observations, -1);
-    finished.commit();
+    saveJson(folder_->path(finished_name), results_.entries, -1);
+    folder_->commit();
+    folder_.emplace(options_.output);
   }
 
   void
   warn(StageLog& log) const
   {
-    warnOfFindings(log, source_.remarks());
+    warnOfFindings(log, session_->remarks());
     results_.warnOfRemarks(log);
-    if (source_.mayNeedRectification())
+    if (options_.hasLists() && !session_->isRectifying() &&
+        hasBuiltCameras(options_.rig))
       log.warn("images are taken as rectified; if they are as the cameras in " +
                options_.rig + " gave them, they need --rectify");
   }
@@ -226,7 +258,7 @@ private:
   std::string
   methodText() const
   {
-    if (options_.unlit)
+    if (options_.settings.unlit)
       return "passive stereo, shots without projected light";
     if (!options_.hasOneShot())
       return options_.method;
@@ -236,8 +268,8 @@ private:
   }
 
   const StereoOptions& options_;
-  ShotSource source_;
-  ShotFusion fusion_;
+  std::shared_ptr<const FrameReader> frames_;
+  std::shared_ptr<SessionSource> session_;
   Trajectory poses_;
   std::optional<OutputFolder> folder_;
   StereoResults results_;
@@ -254,7 +286,7 @@ makeObservations(const StereoOptions& options,
   StereoRun run(options, controls);
   timer.finish("open");
   try {
-    run.writeObservations(controls.progress, log.report);
+    run.writeAll(controls.progress, log.report);
   }
   catch (const CancelledException&) {
     run.keepFinished();

@@ -207,6 +207,14 @@ requireMemory(std::size_t bytes, const std::string& work)
                            : "this machine has " + gigabytes(available) + " left"));
 }
 
+CostCallback
+memoryCheck()
+{
+  return [](const std::string& work, std::size_t bytes, double) {
+    requireMemory(bytes, work);
+  };
+}
+
 std::string
 gigabytes(std::size_t bytes)
 {

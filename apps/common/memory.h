@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/pipeline/cost_callback.h>
+
 #include <cstddef>
 #include <string>
 
@@ -57,6 +59,10 @@ private:
  * \throws MemoryRefused naming both amounts */
 void
 requireMemory(std::size_t bytes, const std::string& work);
+
+/** \brief The same, for classes of the library. */
+CostCallback
+memoryCheck();
 
 /** \brief Text such as "0.5 GB", for messages. */
 std::string

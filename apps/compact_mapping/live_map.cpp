@@ -1,6 +1,5 @@
 #include "live_map.h"
 
-#include "active_stereo/shot_source.h"
 #include "active_stereo/stereo_observation.h"
 #include "drawn_apart.h"
 #include "live_window.h"
@@ -13,6 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace pcl::acmap {
@@ -89,8 +89,13 @@ LiveMap::setUp(const TrinocularRig& rig, unsigned threads)
   mapping_.setNumberOfThreads(threads);
   if (options_.planes.paper)
     mapping_.setMode(MappingMode::Paper);
-  setUpStereo(
-      rig, options_.stereo, threads, mapping_.fusion(), mapping_.backProjection());
+  withDepths([&] {
+    return setUpStereo(rig,
+                       options_.stereo.sessionSettings(threads),
+                       memoryCheck(),
+                       mapping_.fusion(),
+                       mapping_.backProjection());
+  });
   VisualOdometry odometry;
   odometry.setEgomotion(options_.egomotion.stage);
   mapping_.setVisualOdometry(odometry);
@@ -243,22 +248,49 @@ requireAllObservations(const nlohmann::ordered_json& details, const std::string&
 
 namespace {
 
+/** \brief Lets the time pass that passed between the shots of a session, as a camera gives
+ * them. Pauses of more than a minute are cut. */
+class Pace {
+public:
+  /** \param[in] idle is called about ten times a second while a frame is waited for */
+  void
+  waitFor(const TrinocularFrame& frame, const std::function<void()>& idle)
+  {
+    constexpr std::uint64_t longest = 60000000; // microseconds
+    constexpr std::chrono::milliseconds step(100);
+    const std::uint64_t before = stamp_.value_or(frame.stamp);
+    if (!stamp_)
+      due_ = Clock::now();
+    stamp_ = frame.stamp;
+    if (frame.stamp > before)
+      due_ += std::chrono::microseconds(std::min(frame.stamp - before, longest));
+    while (Clock::now() < due_) {
+      stopIfInterrupted();
+      idle();
+      std::this_thread::sleep_until(std::min(due_, Clock::now() + step));
+    }
+  }
+
+private:
+  std::optional<std::uint64_t> stamp_; // of the last frame, microseconds
+  Clock::time_point due_;              // when it was due
+};
+
 /** \brief Adds all observations as they come, up to an interruption or a fault. */
 void
-replay(ShotSource& source, const RunControls& controls, LiveMap& map, StageLog& log)
+replay(const SessionSource& session,
+       const RunControls& controls,
+       LiveMap& map,
+       StageLog& log)
 {
   constexpr double share = 0.5; // of the progress
   const Progress progress(controls.progress);
-  source.setIdle([&map] { map.show(); });
+  const auto count = static_cast<double>(session.size());
   try {
-    double done = 0;
-    while (true) {
-      progress.tell(share * done, "replaying");
-      ComingShots coming = source.next();
-      done = coming.done;
-      if (!coming.shots)
-        return;
-      map.add(coming.shots->frames);
+    for (std::size_t i = 0; i < session.size(); ++i) {
+      progress.tell(share * static_cast<double>(i) / count, "replaying");
+      if (const std::optional<ObservationShots> shots = session.shots(i))
+        map.add(shots->frames);
     }
   }
   catch (const CancelledException&) {
@@ -285,11 +317,19 @@ mapAsRecorded(const ChainOptions& options,
 {
   StereoOptions stereo = options.stereo;
   stereo.session = options.input;
-  ShotSource source(stereo, controls.threads, ReplayPace::AsRecorded);
-  LiveMap map(options, source.rig(), observations, controls.threads, window);
-  replay(source, controls, map, log);
-  std::vector<std::string> names = map.finish(pictures, folder, controls, log);
-  warnOfFindings(log, source.remarks());
+  std::optional<LiveMap> map;
+  SessionSettings settings = stereo.sessionSettings(controls.threads);
+  settings.arrived = [&map, pace = Pace()](const TrinocularFrame& frame) mutable {
+    pace.waitFor(frame, [&] { map->show(); });
+  };
+  const auto session = withDepths([&] {
+    return openSession(std::make_shared<TrinocularFileGrabber>(options.input),
+                       settings);
+  });
+  map.emplace(options, session->rig(), observations, controls.threads, window);
+  replay(*session, controls, *map, log);
+  std::vector<std::string> names = map->finish(pictures, folder, controls, log);
+  warnOfFindings(log, session->remarks());
   return names;
 }
 

@@ -204,10 +204,7 @@ writeScans(std::vector<PlanarScan> scans,
 MapRows
 emptyMap(std::size_t points, bool is_colored)
 {
-  return MapRows(
-      points, is_colored, [](const std::string& work, std::size_t bytes, double) {
-        requireMemory(bytes, work);
-      });
+  return MapRows(points, is_colored, memoryCheck());
 }
 
 /** Writes the map and the observations, if they are wanted.

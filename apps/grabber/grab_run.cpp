@@ -14,7 +14,9 @@
 #include <pcl/acquisition/pattern_window.h>
 #include <pcl/acquisition/projector_latency.h>
 #include <pcl/acquisition/trinocular_recorder.h>
+#include <pcl/conversions.h>
 #include <pcl/core/impl/size_text.h>
+#include <pcl/pipeline/observation_files.h>
 
 #include <filesystem>
 #include <thread>
@@ -189,7 +191,10 @@ rectifierOf(const GrabberOptions& options, const Device& device, unsigned thread
 struct CloudOutput {
   CloudOutput(const GrabberOptions& options, const Device& device, unsigned threads)
   : rectifier(rectifierOf(options, device, threads))
-  , fusion(rectifier.rig(), options.map.stereo, threads)
+  , fusion(withDepths([&] {
+    return ShotFusion(
+        rectifier.rig(), options.map.stereo.sessionSettings(threads), memoryCheck());
+  }))
   {
     if (!options.clouds.empty())
       requireNoStereo(folder.emplace(options.clouds));
@@ -438,7 +443,7 @@ public:
       details["most_disparity"] = clouds_->fusion.range().maximum();
       details["points"] = results.points;
       details["matched_share"] = results.matchedShare();
-      details["observations"] = results.observations;
+      details["observations"] = results.entries;
       results.tellPoints(log_);
     }
     for (const auto& [step, seconds] : seconds_)
@@ -460,14 +465,15 @@ private:
     const auto shots = shotsOf(frames, clouds_->rectifier, clouds_->groups);
     if (!shots)
       return;
-    const MadeObservation made = clouds_->fusion.make(*shots, progress);
-    if (clouds_->folder)
-      saveResults(*clouds_->folder,
-                  options_.map.stereo,
-                  shots->number,
-                  made,
-                  Eigen::Isometry3d::Identity());
-    clouds_->results.add(shots->number, shots->frames.size(), made);
+    const SessionObservation made = clouds_->fusion.fuse(*shots, progress);
+    if (clouds_->folder) {
+      PCLPointCloud2 cloud;
+      toPCLPointCloud2(made.cloud, cloud);
+      saveObservation(clouds_->folder->path(observationName(made.number)),
+                      cloud,
+                      Eigen::Isometry3d::Identity());
+    }
+    clouds_->results.add(made);
     if (live_)
       live_->show(made.cloud);
   }
@@ -479,7 +485,7 @@ private:
       return "";
     clouds_->folder->commit();
     return "; observations finished by then, in " + options_.clouds + ": " +
-           std::to_string(clouds_->results.observations.size());
+           std::to_string(clouds_->results.observations);
   }
 
   std::string

@@ -3,8 +3,13 @@
 #include "simulated_runs.h"
 #include "unfinished_file.h"
 
+#include <pcl/acquisition/trinocular_file_grabber.h>
 #include <pcl/acquisition/trinocular_recorder.h>
+#include <pcl/core/output_folder.h>
 #include <pcl/core/trajectory.h>
+#include <pcl/pipeline/observation_sequence.h>
+#include <pcl/pipeline/observation_writing.h>
+#include <pcl/pipeline/session_source.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -55,6 +60,20 @@ TEST_F(ActiveStereoSession, ObservationsLieOnTheTruth)
     EXPECT_TRUE(file.origin.head<3>().isZero());
   }
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out_), {}), 2);
+}
+
+/** A program gets the observations that the tool writes. */
+TEST_F(ActiveStereoSession, TheClassWritesTheSameBytes)
+{
+  runSession().succeeded();
+  OutputFolder written(folder_.path("written"));
+  writeObservations(written,
+                    ObservationSequence(openSession(
+                        std::make_shared<TrinocularFileGrabber>(session()))));
+  written.commit();
+  for (const char* const name : {"observation_0000.pcd", "observation_0001.pcd"})
+    EXPECT_EQ(contentOf(folder_.path("written") + "/" + name), contentOf(out(name)))
+        << name;
 }
 
 TEST_F(ActiveStereoSession, PointsAreInTheCameraFrameWithColourEverywhere)

@@ -8,6 +8,7 @@
 #include <pcl/egomotion/gradient_maximum_keypoint.h>
 #include <pcl/mapping/map_entropy_types.h>
 #include <pcl/pipeline/compact_mapping.h>
+#include <pcl/pipeline/session_source.h>
 #include <pcl/stereo/active_stereo_grabber.h>
 #include <pcl/stereo/rig_calibrator_types.h>
 #include <pcl/stereo/trinocular_rectification.h>
@@ -95,6 +96,7 @@ using Structs = std::tuple<AbsoluteTrajectoryError,
                            RigCalibratorReport,
                            SequenceAlignmentReport,
                            SequenceConsolidationReport,
+                           SessionReport,
                            TexturingReport,
                            TrinocularFileReport,
                            TrinocularMatchingReport,

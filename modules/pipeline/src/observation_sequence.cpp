@@ -147,7 +147,7 @@ ObservationSequence::ObservationSequence(
   trajectory_ = recorded->trajectory();
   std::map<std::string, std::size_t> numbers;
   for (std::size_t i = 0; i < recorded->size(); ++i) {
-    paths_.push_back(acmap::observationName(i));
+    paths_.push_back(recorded->nameOf(i));
     rows_.push_back(i);
     numbers[paths_.back()] = i;
   }
@@ -292,6 +292,12 @@ ObservationSequence::fingerprint() const
       hash.add(trajectory_.poses[rows_[i]].matrix());
   }
   return hash.text();
+}
+
+std::string
+ObservationSource::nameOf(std::size_t i) const
+{
+  return acmap::observationName(i);
 }
 
 std::string

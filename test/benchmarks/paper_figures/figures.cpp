@@ -1,6 +1,5 @@
 #include "figures.h"
 
-#include "active_stereo/stereo_observation.h"
 #include "exit_code.h"
 #include "figure_plan.h"
 #include "memory.h"
@@ -20,6 +19,7 @@
 #include <pcl/core/trajectory_error.h>
 #include <pcl/filters/voxel_consolidation.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/session_source.h>
 #include <pcl/point_types.h>
 #include <pcl/surface/dewall_triangulation.h>
 #include <pcl/texture/compact_map_folder.h>
@@ -469,64 +469,39 @@ constexpr double min_correlation = 0.5;
 class Acquisition {
 public:
   Acquisition(const std::string& session, unsigned threads)
-  : session_(session)
-  , grabber_(session)
-  , rectifier_(session + "/rig.yaml",
-               grabber_.getRig(),
-               hasBuiltCameras(session + "/rig.yaml"),
-               threads)
-  , range_(disparitiesBetween(rectifier_.rig(),
-                              options_.projection.getMinimumDepth(),
-                              options_.projection.getMaximumDepth()))
-  , threads_(threads)
-  {}
+  {
+    settings_.threads = threads;
+    session_ = openSession(std::make_shared<TrinocularFileGrabber>(session), settings_);
+  }
 
   /** The shots of an observation, rectified. */
   ObservationShots
   shotsOf(std::size_t observation) const
   {
-    const auto number = static_cast<std::int32_t>(observation);
-    // binary search: the frames are sorted by observation
-    std::size_t first = 0, last = grabber_.frames();
-    while (first < last) {
-      const std::size_t middle = first + (last - first) / 2;
-      if (grabber_.frame(middle)->observation < number)
-        first = middle + 1;
-      else
-        last = middle;
-    }
-    ObservationShots shots;
-    shots.number = observation;
-    for (; first < grabber_.frames(); ++first) {
-      const TrinocularFrame::Ptr frame = grabber_.frame(first);
-      if (frame->observation != number)
-        break;
-      rectifier_.rectify(*frame);
-      shots.frames.push_back(frame);
-    }
-    if (shots.frames.empty())
-      throw InputFileException(session_ + ": has no shot of observation " +
-                               std::to_string(observation));
-    return shots;
+    for (std::size_t i = 0; i < session_->size(); ++i)
+      if (session_->numberOf(i) == observation)
+        if (auto shots = session_->shots(i))
+          return *shots;
+    throw InputFileException(session_->name() + ": has no shot of observation " +
+                             std::to_string(observation));
   }
 
-  MadeObservation
+  SessionObservation
   together(const ObservationShots& shots, const std::string& method) const
   {
-    StereoOptions options = options_;
-    options.method = method;
-    return ShotFusion(rectifier_.rig(), options, threads_)
-        .make(shots, [](double, const std::string&) { return true; });
+    SessionSettings settings = settings_;
+    settings.method = disparityFusionMethod(method);
+    return ShotFusion(session_->rig(), settings, memoryCheck()).fuse(shots, {});
   }
 
   DisparityImage
   ofOne(const TrinocularFrame& shot) const
   {
     TrinocularMatching matching;
-    matching.setInputRig(rectifier_.rig());
-    matching.setXOffset(range_.minimum);
-    matching.setMaxDisparity(range_.count);
-    matching.setNumberOfThreads(threads_);
+    matching.setInputRig(session_->rig());
+    matching.setXOffset(session_->range().minimum);
+    matching.setMaxDisparity(session_->range().count);
+    matching.setNumberOfThreads(settings_.threads);
     // also for the shot without a pattern, which would otherwise be filled with guesses
     matching.setPeakFilter(min_texture);
     matching.setCorrelationThreshold(min_correlation);
@@ -536,12 +511,8 @@ public:
   }
 
 private:
-  std::string session_;
-  StereoOptions options_;
-  TrinocularFileGrabber grabber_;
-  FrameRectifier rectifier_;
-  SearchRange range_;
-  unsigned threads_;
+  std::shared_ptr<const SessionSource> session_;
+  SessionSettings settings_;
 };
 
 /** The shot under a pattern, or the one without a pattern. */
@@ -640,7 +611,9 @@ surfaceOf(const PointCloud<PointXYZRGBSigma>& observation)
 }
 
 cv::Mat3b
-modelOf(const MadeObservation& made, const FigureEye& eye, const OutputFolder& folder)
+modelOf(const SessionObservation& made,
+        const FigureEye& eye,
+        const OutputFolder& folder)
 {
   PCLPointCloud2 cloud;
   toPCLPointCloud2(made.cloud, cloud);
@@ -656,8 +629,8 @@ fusionFigure(const Acquisition& acquisition,
              const OutputFolder& folder)
 {
   const ObservationShots shots = acquisition.shotsOf(plan.fusion.observation);
-  const MadeObservation median = acquisition.together(shots, "median");
-  const MadeObservation all = acquisition.together(shots, "spacetime");
+  const SessionObservation median = acquisition.together(shots, "median");
+  const SessionObservation all = acquisition.together(shots, "spacetime");
   const DisparityColors colors(all.matched.disparity);
   std::vector<std::int32_t> shown = {TrinocularFrame::no_pattern};
   shown.insert(shown.end(), plan.patterns.begin(), plan.patterns.end());
@@ -687,7 +660,7 @@ drawAcquisitions(const std::string& session,
   std::vector<std::vector<cv::Mat3b>> rows;
   for (const ObservationFigure& example : plan.acquisitions) {
     const ObservationShots shots = acquisition.shotsOf(example.observation);
-    const MadeObservation made = acquisition.together(shots, "spacetime");
+    const SessionObservation made = acquisition.together(shots, "spacetime");
     const DisparityImage& disparity = made.matched.disparity;
     rows.push_back({reference(shotUnder(shots, TrinocularFrame::no_pattern)),
                     DisparityColors(disparity).of(disparity),

@@ -38,6 +38,11 @@ public:
   virtual PointCloudFile
   load(std::size_t i) const = 0;
 
+  /** \brief Name of the file of an observation in a folder of them, each another one
+   * (default: observation_0000.pcd and so on). */
+  virtual std::string
+  nameOf(std::size_t i) const;
+
   /** \brief What was subtracted from the coordinates of the file, CompactMap::shift. */
   virtual Eigen::Vector3d
   shift() const

@@ -1,7 +1,7 @@
-#include "stereo_shots.h"
-
 #include <pcl/core/impl/yaml_node.h>
+#include <pcl/core/rig_calibration.h>
 #include <pcl/core/rig_cameras.h>
+#include <pcl/pipeline/session_source.h>
 #include <pcl/stereo/matched_disparity.h>
 
 #include <utility>
@@ -40,6 +40,13 @@ ShotGroups::finish()
     return std::nullopt;
   done_.insert(shots.number);
   return shots;
+}
+
+void
+ShotGroups::restart(std::set<std::size_t> done)
+{
+  shots_ = {};
+  done_ = std::move(done);
 }
 
 FrameRectifier::FrameRectifier(const std::string& path,

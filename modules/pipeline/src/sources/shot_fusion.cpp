@@ -1,0 +1,145 @@
+#include <pcl/core/impl/size_text.h>
+#include <pcl/core/rig_cameras.h>
+#include <pcl/pipeline/session_source.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace pcl {
+
+namespace {
+
+std::string
+threeDigits(double value)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+/** \brief Memory for the costs of all disparities of a rig's views, in bytes. */
+std::size_t
+disparityMemory(const TrinocularRig& rig, const acmap::SearchRange& range)
+{
+  constexpr double bytes = 4.0; // one disparity of a pair
+  // the vertical pair has disparities in proportion to its baseline
+  const double pairs =
+      (std::abs(rig.baseline_horizontal) + std::abs(rig.baseline_vertical)) /
+      disparityBaseline(rig);
+  return static_cast<std::size_t>(bytes * pairs * rig.width * rig.height * range.count);
+}
+
+} // namespace
+
+SessionSettings::SessionSettings()
+{
+  constexpr double nearest = 0.5, farthest = 10; // metres; nearer points take longer
+  projection.setMinimumDepth(nearest);
+  projection.setMaximumDepth(farthest);
+}
+
+namespace acmap {
+
+double
+depthOf(const TrinocularRig& rig, double disparity)
+{
+  return rig.focal_length * disparityBaseline(rig) / disparity;
+}
+
+SearchRange
+disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest)
+{
+  // supported by TrinocularMatching
+  constexpr int fewest_disparities = 8;
+  constexpr int max_disparities = 1024;
+  const double longest =
+      (hasCamera(rig, RigCamera::Horizontal) ? rig.width : rig.height) - 1.0;
+  // the conversion between depth and disparity is its own inverse
+  const double from = std::floor(depthOf(rig, farthest)) - 1.0;
+  if (from > longest)
+    throw BadArgumentException(
+        "at " + threeDigits(farthest) + " m disparities are longer than the image, " +
+        std::to_string(static_cast<long>(longest)) + " px; the rig's baseline is " +
+        threeDigits(disparityBaseline(rig)) + " m");
+  const double to = std::min(std::ceil(depthOf(rig, nearest)) + 1.0, longest);
+  SearchRange range;
+  range.minimum = static_cast<int>(std::max(from, 0.0));
+  range.count = std::clamp(
+      static_cast<int>(to) - range.minimum + 1, fewest_disparities, max_disparities);
+  return range;
+}
+
+SearchRange
+setUpStereo(const TrinocularRig& rig,
+            const SessionSettings& settings,
+            const CostCallback& cost,
+            DisparityFusion& fusion,
+            DisparityBackProjection& projection)
+{
+  const double nearest = settings.projection.getMinimumDepth();
+  const double farthest = settings.projection.getMaximumDepth();
+  if (nearest >= farthest)
+    throw BadArgumentException("the minimum depth " + threeDigits(nearest) +
+                               " m is not below the maximum depth " +
+                               threeDigits(farthest) + " m");
+  const SearchRange range = disparitiesBetween(rig, nearest, farthest);
+  if (cost)
+    cost(std::to_string(range.count) + " disparities of " + sizeText(rig) + " pixels",
+         disparityMemory(rig, range),
+         0);
+  TrinocularMatching matching = settings.matching;
+  matching.setXOffset(range.minimum);
+  matching.setMaxDisparity(range.count);
+  fusion.setMatching(matching);
+  fusion.setInputRig(rig);
+  fusion.setMethod(settings.method);
+  fusion.setPassive(settings.isPassive());
+  fusion.setNumberOfThreads(settings.threads);
+  projection = settings.projection;
+  projection.setInputRig(rig);
+  projection.setNumberOfThreads(settings.threads);
+  return range;
+}
+
+ShotFusion::ShotFusion(const TrinocularRig& rig,
+                       const SessionSettings& settings,
+                       const CostCallback& cost)
+: range_(setUpStereo(rig, settings, cost, fusion_, projection_))
+{}
+
+SessionObservation
+ShotFusion::fuse(const ObservationShots& shots, const ProgressCallback& progress)
+{
+  // most of the time is spent in the step that does the matching
+  const bool at_once = fusion_.getMethod() == DisparityFusion::Method::SpaceTime;
+  const double share_of_shots = at_once ? 0.05 : 0.95;
+  const auto count = static_cast<double>(shots.frames.size());
+  double begin = 0;
+  double end = 0;
+  if (progress)
+    fusion_.setProgressCallback([&](double fraction, const std::string& step) {
+      return progress(std::min(begin + fraction * (end - begin), end), step);
+    });
+
+  SessionObservation made;
+  made.number = shots.number;
+  made.frames = shots.frames.size();
+  fusion_.clear();
+  for (const TrinocularFrame::ConstPtr& frame : shots.frames) {
+    end = share_of_shots * static_cast<double>(fusion_.shots() + 1) / count;
+    fusion_.addShot(frame);
+    begin = end;
+  }
+  end = 1;
+  fusion_.fuse(made.matched);
+  fusion_.setProgressCallback({}); // the callback refers to local variables
+  made.fusion = fusion_.getReport();
+  projection_.project(made.matched, fusion_.getColor(), made.cloud);
+  made.projection = projection_.getReport();
+  return made;
+}
+
+} // namespace acmap
+} // namespace pcl
