@@ -2,7 +2,7 @@
 #include "compact_mapping/live_map.h"
 #include "compact_mapping/map_run.h"
 #include "compact_mapping/map_stage.h"
-#include "compact_mapping/recording.h"
+#include "compact_mapping/open_observations.h"
 #include "compact_mapping/report_page.h"
 #include "compact_mapping/run_ranks.h"
 #include "drawn_apart.h"
@@ -60,11 +60,9 @@ void
 run(Tool& tool, const ChainOptions& options)
 {
   checkPlaces(options);
-  const std::optional<pcl::ObservationSequence> recorded =
-      openRecording(options.input, options.every);
-  const StartingPoint start =
-      startingPointOf(options.input, options.texture.skip_broken, recorded);
-  requireSense(tool, options, start);
+  const MapInput input =
+      openObservations(options.input, options.every, options.texture.skip_broken);
+  requireSense(tool, options, input.start);
   const PicturesApart pictures(options.has_pictures, tool.log());
   OutputFolder folder(options.output);
   tool.requireReportWritable(inputsOf(options));
@@ -78,12 +76,12 @@ run(Tool& tool, const ChainOptions& options)
   if (options.as_recorded)
     made.replay();
   else
-    made.run(start, recorded);
+    made.run(input);
   const StageLog& told = made.stages().back().told;
   std::optional<pcl::MapFigures> figures;
   if (truth)
     figures = compareMap(options, made.state(), told, *truth);
-  tellChain(options, start, made.stages(), figures, tool.log());
+  tellChain(options, input.start, made.stages(), figures, tool.log());
   saveReportPage(options.output + "/report.html", tool.fullReport(), options.output);
   requireAllObservations(told.details, options.output);
 }

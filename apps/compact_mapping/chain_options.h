@@ -2,8 +2,8 @@
 
 #include "active_stereo/stereo_options.h"
 #include "entropy_rectification/rectification_options.h"
+#include "open_observations.h"
 #include "plane_extraction/extraction.h"
-#include "starting_point.h"
 #include "texturing/texture_stage.h"
 #include "visual_egomotion/egomotion_options.h"
 

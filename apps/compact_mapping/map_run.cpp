@@ -10,7 +10,6 @@
 #include "live_window.h"
 #include "map_stage.h"
 #include "memory.h"
-#include "recording.h"
 
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/exceptions.h>
@@ -152,37 +151,36 @@ MapRun::MapRun(const ChainOptions& options,
 }
 
 void
-MapRun::setInput(StartingPoint start,
-                 const std::optional<ObservationSequence>& recorded)
+MapRun::setInput(const MapInput& input)
 {
-  const bool is_cloud = start == StartingPoint::Cloud;
+  const bool is_cloud = input.start == StartingPoint::Cloud;
   if (is_cloud)
     chain_.setInputCloud([this] { return loadCloud(); },
                          stateOfFile(options_.input) + " " +
                              std::to_string(controls_.scale));
-  else if (start == StartingPoint::Session || recorded)
-    chain_.setFirstStage(observationStage(start, recorded));
+  else if (input.start == StartingPoint::Session || input.recorded)
+    chain_.setFirstStage(observationStage(input));
   else
     chain_.setInput(ObservationSequence(options_.input, controls_.scale),
-                    start == StartingPoint::PosedObservations);
+                    input.start == StartingPoint::PosedObservations);
 }
 
 ChainStage
-MapRun::observationStage(StartingPoint start,
-                         const std::optional<ObservationSequence>& recorded)
+MapRun::observationStage(const MapInput& input)
 {
-  const bool is_session = start == StartingPoint::Session;
+  const bool is_session = input.start == StartingPoint::Session;
   const std::string folder = chain_.getStore().path(first_stage);
   ChainStage stage;
   stage.name = first_stage;
-  stage.take = [this, start, folder, is_session, recorded](
+  stage.take = [this, input, folder, is_session](
                    ChainState& state, const ChainSettings&, const StageStore&) {
     const double scale = is_session ? 1 : controls_.scale;
     state.observations.emplace(folder, scale);
-    if (recorded)
-      state.observations = state.observations->withShift(scale * recorded->shift());
-    state.has_poses =
-        start == StartingPoint::PosedObservations || !options_.stereo.poses.empty();
+    if (input.recorded)
+      state.observations =
+          state.observations->withShift(scale * input.recorded->shift());
+    state.has_poses = input.start == StartingPoint::PosedObservations ||
+                      !options_.stereo.poses.empty();
   };
   stage.key = [this,
                is_session](const ChainState&, const ChainSettings&, StageKey& key) {
@@ -194,7 +192,7 @@ MapRun::observationStage(StartingPoint start,
     if (!options_.stereo.poses.empty())
       key.add("poses", stateOfFile(options_.stereo.poses));
   };
-  stage.run = [this, folder, is_session, recorded, take = stage.take](
+  stage.run = [this, input, folder, is_session, take = stage.take](
                   ChainState& state,
                   const ChainSettings& settings,
                   const StageRun& run,
@@ -216,7 +214,7 @@ MapRun::observationStage(StartingPoint start,
       }
     }
     else
-      importRecording(options_.input, *recorded, folder, controls, first_log_);
+      importRecording(options_.input, *input.recorded, folder, controls, first_log_);
     take(state, settings, chain_.getStore());
   };
   return stage;
@@ -419,11 +417,11 @@ MapRun::replay()
 }
 
 void
-MapRun::run(StartingPoint start, const std::optional<ObservationSequence>& recorded)
+MapRun::run(const MapInput& input)
 {
-  setInput(start, recorded);
+  setInput(input);
   // pictures of the same map are kept, even if this run would not draw any
-  const bool is_cloud = start == StartingPoint::Cloud;
+  const bool is_cloud = input.start == StartingPoint::Cloud;
   const bool has_pictures =
       pictures_.canBeDrawn() || chain_.wouldTake(mapStage(true, is_cloud));
   chain_.append(mapStage(has_pictures, is_cloud));

@@ -43,12 +43,11 @@ public:
          OutputFolder& folder,
          StageLog& log);
 
-  /** \param[in] recorded of \ref openRecording for the input
-   * \throws InterruptedPartway naming the stages that are finished
+  /** \throws InterruptedPartway naming the stages that are finished
    * \throws NothingFound when there is no plane
    * \throws what the stages throw */
   void
-  run(StartingPoint start, const std::optional<ObservationSequence>& recorded);
+  run(const MapInput& input);
 
   /** \brief Replays a session at its pace, and maps it meanwhile; nothing is taken over.
    * \throws the same */
@@ -70,12 +69,11 @@ public:
 
 private:
   void
-  setInput(StartingPoint start, const std::optional<ObservationSequence>& recorded);
+  setInput(const MapInput& input);
 
   /** \brief A stage that makes a folder of the observations of the input. */
   ChainStage
-  observationStage(StartingPoint start,
-                   const std::optional<ObservationSequence>& recorded);
+  observationStage(const MapInput& input);
 
   ChainCloud
   loadCloud();

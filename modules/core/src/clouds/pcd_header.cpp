@@ -4,6 +4,7 @@
 #include "files/text_number.h"
 
 #include <pcl/PCLPointField.h>
+#include <pcl/core/impl/pcd_viewpoint.h>
 #include <pcl/core/impl/size_text.h>
 
 #include <array>
@@ -240,6 +241,16 @@ readPcdHeader(ByteSource& source)
       source.failAtLine(inQuotes(key) + " is no entry of a PCD header");
   }
   source.fail("ends before the DATA line of a PCD header");
+}
+
+Eigen::Isometry3d
+loadPcdViewpoint(const std::string& path)
+{
+  ByteSource source(path);
+  const PcdHeader header = readPcdHeader(source);
+  Eigen::Isometry3d pose(header.orientation.cast<double>().normalized());
+  pose.translation() = header.origin.cast<double>();
+  return pose;
 }
 
 } // namespace pcl::acmap

@@ -1,4 +1,4 @@
-#include "compact_mapping/starting_point.h"
+#include "compact_mapping/open_observations.h"
 #include "temporary_folder.h"
 
 #include <pcl/core/exceptions.h>
@@ -27,7 +27,7 @@ protected:
   StartingPoint
   start(bool skip_broken = false) const
   {
-    return startingPointOf(folder_.path(""), skip_broken);
+    return openObservations(folder_.path(""), 1, skip_broken).start;
   }
 
   TemporaryFolder folder_;
@@ -35,8 +35,10 @@ protected:
 
 TEST_F(StartingPoints, AFileIsACloud)
 {
-  EXPECT_EQ(startingPointOf(folder_.path("none"), false), StartingPoint::Cloud);
-  EXPECT_EQ(startingPointOf(folder_.write("a.ply", ""), false), StartingPoint::Cloud);
+  EXPECT_EQ(openObservations(folder_.path("none"), 1, false).start,
+            StartingPoint::Cloud);
+  EXPECT_EQ(openObservations(folder_.write("a.ply", ""), 1, false).start,
+            StartingPoint::Cloud);
 }
 
 TEST_F(StartingPoints, ASessionIsRaw)
@@ -68,6 +70,17 @@ TEST_F(StartingPoints, BrokenObservationsHaveNoSay)
   EXPECT_EQ(start(true), StartingPoint::Observations);
   folder_.write("observation_0002.pcd", pcd("0 0 1 1 0 0 0"));
   EXPECT_EQ(start(true), StartingPoint::PosedObservations);
+}
+
+/** The points are read when they are needed. */
+TEST_F(StartingPoints, HeadersTellThePoses)
+{
+  const std::string begun = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n"
+                            "WIDTH 9\nHEIGHT 1\nVIEWPOINT 0 0 2 1 0 0 0\nPOINTS 9\n"
+                            "DATA binary\n";
+  folder_.write("observation_0000.pcd", nowhere);
+  folder_.write("observation_0001.pcd", begun);
+  EXPECT_EQ(start(), StartingPoint::PosedObservations);
 }
 
 TEST_F(StartingPoints, AFolderOfNeitherIsRefused)
