@@ -146,7 +146,7 @@ public:
   }
 
   /** \brief Sets the up direction of the map: poses are translated perpendicularly to it
-   * and rotated about it (default: found by floors and walls, as \ref MapLevelling does it;
+   * and rotated about it (default: found by floors and walls, as MapLevelling does it;
    * if these show none, -y or z, whichever the sensors suggest, with a remark).
    * \param[in] up in the map frame, of any length above 0
    * \throws BadArgumentException if it is not finite or zero */
