@@ -120,14 +120,16 @@ public:
       toPCLPointCloud2(made.cloud, *cloud);
       return {{cloud, poseOf(made.number), 0, observationName(made.number)}};
     };
+    std::optional<OutputFolder> part;
+    OutputFolder& folder = options_.goes_on ? part.emplace(options_.output) : *folder_;
     const auto finish = [&](const ObservationToWrite&) {
-      saveDisparity(*folder_, options_, made);
-      if (options_.goes_on)
-        commitSoFar();
+      saveDisparity(folder, options_, made);
+      if (part)
+        commit(part);
       timer.finish("write");
     };
     writeObservations(
-        *folder_, session_->size(), make, {progress, "reading shots", finish});
+        folder, session_->size(), make, {progress, "reading shots", finish});
     for (const char* const step : {"wait for shots", "match", "write"}) {
       double sum = 0;
       for (const auto& [name, seconds] : steps.seconds)
@@ -231,15 +233,15 @@ private:
     return poses_.poses[observation];
   }
 
-  /** Moves the observations so far to their final place, with their statistics, from
-   * which a later run is to continue: a run that is killed loses only the observation
-   * that it was working on. */
+  /** Moves an observation to its final place, with the statistics so far, from which a
+   * later run is to continue: a run that is killed loses only the observation that it was
+   * working on. The next one is written at the same place. */
   void
-  commitSoFar()
+  commit(std::optional<OutputFolder>& part) const
   {
-    saveJson(folder_->path(finished_name), results_.entries, -1);
-    folder_->commit();
-    folder_.emplace(options_.output);
+    saveJson(part->path(finished_name), results_.entries, -1);
+    part->commit();
+    part.emplace(options_.output);
   }
 
   void
