@@ -1,20 +1,12 @@
 #pragma once
 
-#include <pcl/exceptions.h>
-
 #include <pybind11/pybind11.h>
-
-#include <string>
 
 namespace pcl::acmap::python {
 
-/** \brief What an exception says, without the source location that PCL prepends. */
-std::string
-messageOf(const PCLException& error);
-
 /** \brief Translates the exceptions of acmap and PCL to Python exceptions. */
 void
-bindErrors();
+bindErrors(pybind11::module_& module);
 
 // Each of these binds one concept: a stage with its result, or what several of them share.
 

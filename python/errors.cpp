@@ -6,10 +6,12 @@ namespace pcl::acmap::python {
 
 namespace {
 
+PyObject* cancelled = nullptr; ///< acmap.Cancelled, lives as long as the interpreter
+
 void
 raise(PyObject* type, const PCLException& error)
 {
-  PyErr_SetString(type, messageOf(error).c_str());
+  PyErr_SetString(type, error.what());
 }
 
 void
@@ -32,7 +34,7 @@ translate(std::exception_ptr error)
     raise(PyExc_MemoryError, e);
   }
   catch (const CancelledException& e) {
-    raise(PyExc_KeyboardInterrupt, e);
+    raise(cancelled, e);
   }
   catch (const IOException& e) {
     raise(PyExc_OSError, e);
@@ -44,17 +46,16 @@ translate(std::exception_ptr error)
 
 } // namespace
 
-std::string
-messageOf(const PCLException& error)
-{
-  const std::string text = error.what();
-  const std::size_t colon = text.find(": ");
-  return text.substr(colon == std::string::npos ? 0 : colon + 2);
-}
-
 void
-bindErrors()
+bindErrors(pybind11::module_& module)
 {
+  cancelled = PyErr_NewExceptionWithDoc("acmap.Cancelled",
+                                        "A progress function returned False.",
+                                        PyExc_Exception,
+                                        nullptr);
+  if (cancelled == nullptr)
+    throw pybind11::error_already_set();
+  module.attr("Cancelled") = pybind11::handle(cancelled);
   pybind11::register_exception_translator(&translate);
 }
 

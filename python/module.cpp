@@ -6,7 +6,7 @@ PYBIND11_MODULE(acmap, module)
   module.doc() = "From noisy point clouds to a few planes: acmap's stages on numpy "
                  "arrays. Metres, radians; camera frame x right, y down, z forward.";
   module.attr("__version__") = ACMAP_VERSION;
-  bindErrors();
+  bindErrors(module);
   bindConsolidation(module);
   bindMesh(module);
   bindNormals(module);

@@ -24,7 +24,7 @@ setKeyword(const char* keyword,
     (stage.*set)(value);
   }
   catch (const BadArgumentException& refused) {
-    throw pybind11::value_error(std::string(keyword) + ": " + messageOf(refused));
+    throw pybind11::value_error(std::string(keyword) + ": " + refused.what());
   }
 }
 

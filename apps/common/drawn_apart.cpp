@@ -59,7 +59,7 @@ public:
   {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0)
-      throw InitFailedException(std::string("no pipe: ") + std::strerror(errno));
+      throw acmap::InitFailed(std::string("no pipe: ") + std::strerror(errno));
     process_ = fork();
     if (process_ == 0) {
       close(ends[0]);
@@ -69,7 +69,7 @@ public:
     said_ = ends[0];
     if (process_ < 0) {
       close(said_);
-      throw InitFailedException(std::string("no process: ") + std::strerror(errno));
+      throw acmap::InitFailed(std::string("no process: ") + std::strerror(errno));
     }
   }
 

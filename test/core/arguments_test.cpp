@@ -1,3 +1,5 @@
+#include <pcl/core/camera_exception.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 
 #include <gmock/gmock.h>
@@ -7,6 +9,35 @@
 
 namespace pcl::acmap::test {
 namespace {
+
+/** \brief Is the message of the exception just what was said, and is it caught as Base? */
+template <typename Exception, typename Base>
+void
+expectPlain(const Exception& thrown)
+{
+  try {
+    throw Exception(thrown);
+  }
+  catch (const Base& caught) {
+    EXPECT_STREQ(caught.what(), "view.pcd: 3 of 4 points") << typeid(Exception).name();
+  }
+}
+
+TEST(Exceptions, SayTheirMessageAlone)
+{
+  const std::string message = "view.pcd: 3 of 4 points";
+  expectPlain<BadArgument, BadArgumentException>(
+      BadArgument("view.pcd: ", 3, " of ", 4, " points"));
+  expectPlain<InitFailed, InitFailedException>(InitFailed(message));
+  expectPlain<Unorganized, UnorganizedPointCloudException>(Unorganized(message));
+  expectPlain<InputFileException, IOException>(InputFileException(message));
+  expectPlain<OutputFileException, IOException>(OutputFileException(message));
+  expectPlain<EmptyInputException, PCLException>(EmptyInputException(message));
+  expectPlain<MemoryLimitException, PCLException>(MemoryLimitException(message));
+  expectPlain<CancelledException, PCLException>(CancelledException(message));
+  expectPlain<CameraException, IOException>(
+      CameraException(CameraFault::Busy, message));
+}
 
 TEST(RequireInRange, letsLegalValuesPass)
 {

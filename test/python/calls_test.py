@@ -191,7 +191,7 @@ class Running(unittest.TestCase):
 
     def test_false_stops(self):
         for name, function in functions.items():
-            with self.subTest(name), self.assertRaisesRegex(KeyboardInterrupt, "cancelled"):
+            with self.subTest(name), self.assertRaisesRegex(acmap.Cancelled, "cancelled"):
                 function(points, progress=lambda fraction, step: False)
 
     def test_errors_of_the_listener_come_out(self):

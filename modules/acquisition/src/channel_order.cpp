@@ -1,6 +1,7 @@
 #include "images/corner_votes.h"
 
 #include <pcl/acquisition/channel_order.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ requireImages(const TrinocularFrame& frame, const RigCalibration& calibration)
        {RigCamera::Reference, RigCamera::Horizontal, RigCamera::Vertical}) {
     const CameraImage& image = frame.image(camera);
     const auto fail = [&](const std::string& fault) {
-      throw BadArgumentException("the " + std::string(nameOf(camera)) + ' ' + fault);
+      throw acmap::BadArgument("the " + std::string(nameOf(camera)) + ' ' + fault);
     };
     if (!calibration.camera(camera).is_there)
       fail("camera is not in the calibration; three are needed to tell their order");
@@ -41,8 +42,7 @@ requireOrder(const ChannelOrder& order)
   ChannelOrder sorted = order;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-    throw BadArgumentException("channel order " + textOf(order) +
-                               " has a camera twice");
+    throw acmap::BadArgument("channel order " + textOf(order) + " has a camera twice");
 }
 
 /** The images by their byte in a pixel. */

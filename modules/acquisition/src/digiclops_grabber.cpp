@@ -2,6 +2,7 @@
 #include "iidc/camera_state.h"
 
 #include <pcl/acquisition/usb_camera.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/rig_cameras.h>
@@ -86,8 +87,8 @@ void
 DigiclopsGrabber::setChannelOrder(const ChannelOrder& order)
 {
   if (order[0] == order[1] || order[0] == order[2] || order[1] == order[2])
-    throw BadArgumentException("channel order " + textOf(order) +
-                               " is refused: a camera is in it twice");
+    throw acmap::BadArgument("channel order " + textOf(order) +
+                             " is refused: a camera is in it twice");
   const std::lock_guard lock(state_->mutex);
   state_->order = order;
   state_->is_order_fixed = true;
@@ -107,12 +108,11 @@ DigiclopsGrabber::setCalibration(const RigCalibration& calibration)
   requireSoundCalibration(calibration);
   if (calibration.width != state_->rig.width ||
       calibration.height != state_->rig.height)
-    throw BadArgumentException("a calibration of " + acmap::sizeText(calibration) +
-                               " pixels is refused: the rig has others");
+    throw acmap::BadArgument("a calibration of " + acmap::sizeText(calibration) +
+                             " pixels is refused: the rig has others");
   for (const RigCamera camera : acmap::rig_cameras)
     if (acmap::hasCamera(state_->rig, camera) && !calibration.camera(camera).is_there)
-      throw BadArgumentException(
-          "a calibration without a camera of the rig is refused");
+      throw acmap::BadArgument("a calibration without a camera of the rig is refused");
   const std::lock_guard lock(state_->mutex);
   state_->calibration = calibration;
   state_->checks_left = max_order_checks;

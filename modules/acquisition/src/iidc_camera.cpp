@@ -2,6 +2,7 @@
 
 #include <pcl/acquisition/iidc_bus.h>
 #include <pcl/acquisition/iidc_camera.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/size_text.h>
 
@@ -19,7 +20,7 @@ struct IidcCamera::State : acmap::CameraState {
   set(IidcFeature feature, const acmap::FeatureSetting& setting)
   {
     if (feature == IidcFeature::FrameRate)
-      throw BadArgumentException("frame rate is refused: setMode sets it");
+      throw acmap::BadArgument("frame rate is refused: setMode sets it");
     const std::lock_guard lock(mutex);
     acmap::writeFeature(registers(), feature, setting);
     wanted.features.insert_or_assign(feature, setting);

@@ -1,4 +1,5 @@
 #include <pcl/acquisition/pattern_selection.h>
+#include <pcl/core/exceptions.h>
 
 #include "pattern/pattern_contrast.h"
 
@@ -72,9 +73,9 @@ PatternSelection::requireFitting(const RgbImage& pattern) const
   const auto pixels = [](std::int32_t side) { return static_cast<std::size_t>(side); };
   if (pattern.width < 1 || pattern.height < 1 ||
       pattern.values.size() != 3 * pixels(pattern.width) * pixels(pattern.height))
-    throw BadArgumentException("the pattern is incomplete");
+    throw acmap::BadArgument("the pattern is incomplete");
   if (width_ > 0 && (pattern.width != width_ || pattern.height != height_))
-    throw BadArgumentException("the pattern is of another size than those before");
+    throw acmap::BadArgument("the pattern is of another size than those before");
 }
 
 void

@@ -2,6 +2,7 @@
 #include "sequence/sequence_stream.h"
 
 #include <pcl/acquisition/pattern_sequence_grabber.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/size_text.h>
 
@@ -19,9 +20,9 @@ requireWholePatterns(const std::vector<RgbImage>& patterns)
   for (std::size_t i = 0; i < patterns.size(); ++i) {
     const RgbImage& image = patterns[i];
     if (!acmap::isWhole(image))
-      throw BadArgumentException("pattern " + std::to_string(i) + " of " +
-                                 acmap::sizeText(image) + " pixels has " +
-                                 std::to_string(image.values.size()) + " values");
+      throw acmap::BadArgument("pattern " + std::to_string(i) + " of " +
+                               acmap::sizeText(image) + " pixels has " +
+                               std::to_string(image.values.size()) + " values");
   }
 }
 

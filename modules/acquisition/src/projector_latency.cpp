@@ -2,6 +2,7 @@
 #include "sequence/shot_taker.h"
 
 #include <pcl/acquisition/projector_latency.h>
+#include <pcl/core/exceptions.h>
 
 #include <algorithm>
 #include <array>
@@ -56,7 +57,7 @@ public:
       const auto& indices = indices_[camera];
       const auto& values = frame.images[camera].values;
       if (!indices.empty() && indices.back() >= values.size())
-        throw IOException(other_size);
+        throw acmap::IoFault(other_size);
       for (const std::size_t i : indices)
         sum += values[i];
     }
@@ -76,7 +77,7 @@ private:
       const auto& a = dark.images[camera].values;
       const auto& b = bright.images[camera].values;
       if (a.size() != b.size())
-        throw IOException(other_size);
+        throw acmap::IoFault(other_size);
       for (std::size_t i = 0; i < a.size(); ++i)
         use(camera, i, b[i] - a[i]);
     }

@@ -2,6 +2,7 @@
 #include "session/frame_source.h"
 
 #include <pcl/acquisition/trinocular_file_grabber.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 
 #include <atomic>
@@ -209,9 +210,9 @@ TrinocularFrame::Ptr
 TrinocularFileGrabber::frame(std::size_t index) const
 {
   if (index >= frames())
-    throw BadArgumentException("index = " + std::to_string(index) +
-                               " is refused: there are " + std::to_string(frames()) +
-                               " frames");
+    throw acmap::BadArgument("index = " + std::to_string(index) +
+                             " is refused: there are " + std::to_string(frames()) +
+                             " frames");
   return state_->read(index);
 }
 

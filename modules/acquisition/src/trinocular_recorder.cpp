@@ -4,6 +4,7 @@
 
 #include <pcl/acquisition/frame_file.h>
 #include <pcl/acquisition/trinocular_recorder.h>
+#include <pcl/core/exceptions.h>
 
 #include <filesystem>
 #include <mutex>
@@ -133,7 +134,7 @@ TrinocularRecorder::State::take(const TrinocularFrame& frame)
   if (fault.empty() && shots.count(shot) > 0)
     fault = shotText(frame) + " was recorded before";
   if (!fault.empty())
-    throw BadArgumentException("frame " + std::to_string(frame.number) + ": " + fault);
+    throw acmap::BadArgument("frame " + std::to_string(frame.number) + ": " + fault);
   numbers.insert(frame.number);
   shots.insert(shot);
 }
@@ -192,9 +193,8 @@ TrinocularRecorder::setMostWaiting(std::size_t frames)
 {
   constexpr std::size_t maximum = 1000;
   if (frames > maximum)
-    throw BadArgumentException("maximum waiting: " + std::to_string(frames) +
-                               " frames; legal is [0, " + std::to_string(maximum) +
-                               ']');
+    throw acmap::BadArgument("maximum waiting: " + std::to_string(frames) +
+                             " frames; legal is [0, " + std::to_string(maximum) + ']');
   state_->max_waiting = frames;
 }
 

@@ -1,8 +1,8 @@
 #include <pcl/PCLPointCloud2.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/egomotion/correspondence_rejector_worst_out.h>
-#include <pcl/exceptions.h>
 
 #include <Eigen/Core>
 
@@ -22,14 +22,14 @@ offsetOf(const PCLPointCloud2& cloud, const std::string& name)
 {
   const PCLPointField* const field = findField(cloud, name);
   if (!field)
-    throw BadArgumentException("a cloud has no field " + name);
+    throw acmap::BadArgument("a cloud has no field " + name);
   // A count of 0 means 1, as in old files.
   if (field->datatype != PCLPointField::FLOAT32 || field->count > 1)
-    throw BadArgumentException("the field " + name +
-                               " is refused: it must be one 32 bit float");
+    throw acmap::BadArgument("the field " + name +
+                             " is refused: it must be one 32 bit float");
   if (field->offset + sizeof(float) > cloud.point_step)
-    throw BadArgumentException("the field " + name +
-                               " is refused: it must lie inside of a point");
+    throw acmap::BadArgument("the field " + name +
+                             " is refused: it must lie inside of a point");
   return field->offset;
 }
 
@@ -38,14 +38,14 @@ requireData(const PCLPointCloud2& cloud)
 {
   const std::size_t row = static_cast<std::size_t>(cloud.width) * cloud.point_step;
   if (cloud.height > 0 && cloud.row_step < row)
-    throw BadArgumentException("the row step " + std::to_string(cloud.row_step) +
-                               " is refused: it must hold a row, " +
-                               std::to_string(row) + " bytes");
+    throw acmap::BadArgument("the row step " + std::to_string(cloud.row_step) +
+                             " is refused: it must hold a row, " + std::to_string(row) +
+                             " bytes");
   const std::size_t needed = static_cast<std::size_t>(cloud.height) * cloud.row_step;
   if (cloud.data.size() < needed)
-    throw BadArgumentException("a cloud of " + std::to_string(cloud.data.size()) +
-                               " bytes is refused: it must have " +
-                               std::to_string(needed));
+    throw acmap::BadArgument("a cloud of " + std::to_string(cloud.data.size()) +
+                             " bytes is refused: it must have " +
+                             std::to_string(needed));
 }
 
 /** \brief The points of a cloud of unknown type, from its fields x, y and z.
@@ -55,7 +55,7 @@ std::vector<Eigen::Vector3f>
 placesOf(const PCLPointCloud2::ConstPtr& cloud)
 {
   if (!cloud)
-    throw BadArgumentException("a cloud is missing");
+    throw acmap::BadArgument("a cloud is missing");
   const std::array<std::size_t, 3> offsets{
       offsetOf(*cloud, "x"), offsetOf(*cloud, "y"), offsetOf(*cloud, "z")};
   requireData(*cloud);
@@ -172,8 +172,7 @@ CorrespondenceRejectorWorstOut::getRemainingCorrespondences(
     Correspondences& remaining_correspondences)
 {
   if (!source_ || !target_)
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        "no " << (source_ ? "target" : "source") << " cloud was set");
+    throw acmap::InitFailed("no ", (source_ ? "target" : "source"), " cloud was set");
   WorstOutReport report;
   acmap::StepTimer timer(report);
   Places source, target;

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/compiled_point_types.h>
 #include <pcl/core/impl/depth_view.h>
@@ -70,7 +71,7 @@ void
 DepthRefinement<PCLPointCloud2>::setInputCloud(const PCLPointCloud2ConstPtr& cloud)
 {
   if (!cloud)
-    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud is a null pointer");
+    throw acmap::InitFailed("the input cloud is a null pointer");
   Filter<PCLPointCloud2>::setInputCloud(cloud);
 }
 
@@ -94,13 +95,14 @@ DepthRefinement<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
   acmap::requirePoints(input_, wanted);
   const std::size_t rows = acmap::rowsOf(*input_);
   if (rows > 0 && input_->height < 2)
-    PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
-                        "the cloud is not organized: give a view as rows of pixels");
+    throw acmap::Unorganized(
+        "the cloud is not organized: give a view as rows of pixels");
   if (!planes_.labels.empty() && planes_.labels.size() != rows)
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        "the planes have " << planes_.labels.size()
-                                           << " labels, the cloud has " << rows
-                                           << " points");
+    throw acmap::InitFailed("the planes have ",
+                            planes_.labels.size(),
+                            " labels, the cloud has ",
+                            rows,
+                            " points");
   const PCLPointCloud2::Ptr result(new PCLPointCloud2(*input_));
   if (wanted)
     keepOnly(*wanted, *result);

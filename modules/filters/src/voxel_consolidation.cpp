@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/compiled_point_types.h>
@@ -94,7 +95,7 @@ void
 VoxelConsolidation<PCLPointCloud2>::setInputCloud(const PCLPointCloud2ConstPtr& cloud)
 {
   if (!cloud)
-    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud is a null pointer");
+    throw acmap::InitFailed("the input cloud is a null pointer");
   Filter<PCLPointCloud2>::setInputCloud(cloud);
   rows_ = CloudRows();
 }

@@ -35,7 +35,7 @@ MpiRanks::MpiRanks(MPI_Comm communicator)
   if (is_initialised)
     MPI_Query_thread(&provided);
   if (provided < MPI_THREAD_SERIALIZED)
-    throw BadArgumentException(
+    throw acmap::BadArgument(
         "MPI has to be initialised with MPI_THREAD_SERIALIZED at least");
   MPI_Comm_rank(communicator_, &rank);
   MPI_Comm_size(communicator_, &size);

@@ -89,7 +89,7 @@ void
 CompactMapping::setMaximumWaiting(std::size_t observations)
 {
   if (observations == 0)
-    throw BadArgumentException("at least one observation has to be allowed to wait");
+    throw acmap::BadArgument("at least one observation has to be allowed to wait");
   maximum_waiting_ = observations;
 }
 
@@ -120,8 +120,7 @@ void
 CompactMapping::start()
 {
   if (sequence_ || current_ || getNumberOfObservations() > 0)
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        "observations were added before start (): clear () first");
+    throw acmap::InitFailed("observations were added before start (): clear () first");
   acmap::ObservationStream::Steps steps = acmap::streamSteps(settings_, threads_);
   steps.projection = projection_;
   steps.maximum_waiting = maximum_waiting_;
@@ -156,10 +155,10 @@ CompactMapping::add(std::shared_ptr<const PointCloudFile> cloud,
                     const std::optional<Eigen::Isometry3d>& T_map_camera)
 {
   if (!cloud)
-    throw BadArgumentException("an observation needs a cloud");
+    throw acmap::BadArgument("an observation needs a cloud");
   acmap::requirePoints(CloudRows::of(cloud->cloud)); // else a thread would find out
   if (T_map_camera && !acmap::isRigid(*T_map_camera, acmap::float_pose_tolerance))
-    throw BadArgumentException("the pose of an observation is no rigid motion");
+    throw acmap::BadArgument("the pose of an observation is no rigid motion");
   poses_.push_back(T_map_camera);
   if (T_map_camera && !acmap::isRigid(*T_map_camera)) // rounded to floats
     poses_.back() = acmap::asInFiles(*T_map_camera);
@@ -186,9 +185,9 @@ CompactMapping::setInputGrabber(Grabber& grabber)
   if (!connection)
     connection = connectClouds<PointXYZRGBA>(grabber, *this);
   if (!connection)
-    throw BadArgumentException(grabber.getName() +
-                               " delivers neither frames of a rig nor clouds of points "
-                               "with colours");
+    throw acmap::BadArgument(grabber.getName() +
+                             " delivers neither frames of a rig nor clouds of points "
+                             "with colours");
   connections_.emplace_back(*connection);
   return *connection;
 }
@@ -230,11 +229,12 @@ CompactMapping::collected()
   const auto posed = static_cast<std::size_t>(std::count_if(
       poses_.begin(), poses_.end(), [](const auto& pose) { return pose.has_value(); }));
   if (poses_.empty())
-    PCL_THROW_EXCEPTION(InitFailedException, "there is no observation");
+    throw acmap::InitFailed("there is no observation");
   if (posed != 0 && posed != poses_.size())
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        posed << " of " << poses_.size()
-                              << " observations have poses: give all of them, or none");
+    throw acmap::InitFailed(posed,
+                            " of ",
+                            poses_.size(),
+                            " observations have poses: give all of them, or none");
   const ObservationSequence all =
       stream_ ? stream_->observations() : ObservationSequence(clouds_);
   Trajectory trajectory;
@@ -271,8 +271,7 @@ CompactMapping::makeMap(CompactMap& map)
 {
   finishObservation();
   if (sequence_ && (stream_ || !clouds_.empty()))
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        "there are a sequence and observations: give one of both");
+    throw acmap::InitFailed("there are a sequence and observations: give one of both");
   const ObservationSequence sequence = sequence_ ? *sequence_ : collected();
   acmap::Chain chain(settings_);
   chain.setInput(
@@ -307,7 +306,7 @@ const ObservationSequence&
 CompactMapping::getMappedSequence() const
 {
   if (!mapped_sequence_)
-    PCL_THROW_EXCEPTION(InitFailedException, "no map was computed");
+    throw acmap::InitFailed("no map was computed");
   return *mapped_sequence_;
 }
 

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/file_format.h>
 #include <pcl/core/impl/yaml_node.h>
 #include <pcl/core/output_file.h>
@@ -60,9 +61,11 @@ void
 saveEstimatedPoses(const std::string& folder, const EstimatedPoses& poses)
 {
   if (poses.places.size() != poses.trajectory.poses.size())
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "there are " << poses.trajectory.poses.size() << " poses for "
-                                     << poses.places.size() << " observations");
+    throw acmap::BadArgument("there are ",
+                             poses.trajectory.poses.size(),
+                             " poses for ",
+                             poses.places.size(),
+                             " observations");
   const std::string text = textOf(poses);
   saveTrajectory((fs::path(folder) / acmap::trajectory_name).string(),
                  poses.trajectory);

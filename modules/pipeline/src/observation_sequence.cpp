@@ -1,6 +1,7 @@
 #include "observation_cache.h"
 #include "rgbd/rgbd_reader.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/byte_parcel.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/pipeline/fingerprint.h>
@@ -88,7 +89,7 @@ ObservationSequence::ObservationSequence(std::vector<std::string> files, double 
 , cache_(cacheOfFiles(scale))
 {
   if (paths_.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException, "a sequence of no files");
+    throw acmap::BadArgument("a sequence of no files");
   source_ = paths_.front();
 }
 
@@ -100,14 +101,16 @@ ObservationSequence::ObservationSequence(
 , cache_(std::make_shared<acmap::ObservationCache>())
 {
   if (clouds.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException, "a sequence of no clouds");
+    throw acmap::BadArgument("a sequence of no clouds");
   if (hasTrajectory() && trajectory_.poses.size() != clouds.size())
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "there are " << trajectory_.poses.size() << " poses for "
-                                     << clouds.size() << " clouds");
+    throw acmap::BadArgument("there are ",
+                             trajectory_.poses.size(),
+                             " poses for ",
+                             clouds.size(),
+                             " clouds");
   for (std::size_t i = 0; i < clouds.size(); ++i) {
     if (!clouds[i])
-      PCL_THROW_EXCEPTION(BadArgumentException, "cloud " << i << " is missing");
+      throw acmap::BadArgument("cloud ", i, " is missing");
     paths_.push_back(acmap::observationName(i));
     cache_->hold(paths_.back(), std::move(clouds[i]));
     rows_.push_back(i);
@@ -121,7 +124,7 @@ ObservationSequence::ObservationSequence(const RgbdSequence& recorded,
 , is_given_(true)
 {
   if (recorded.frames.empty())
-    PCL_THROW_EXCEPTION(BadArgumentException, "a sequence of no frames");
+    throw acmap::BadArgument("a sequence of no frames");
   trajectory_ = acmap::rgbdTrajectory(recorded, cameras);
   for (std::size_t i = 0; i < recorded.frames.size(); ++i) {
     paths_.push_back(acmap::observationName(i));
@@ -139,7 +142,7 @@ ObservationSequence::ObservationSequence(
 : is_given_(true)
 {
   if (!recorded || recorded->size() == 0)
-    PCL_THROW_EXCEPTION(BadArgumentException, "a sequence of no observations");
+    throw acmap::BadArgument("a sequence of no observations");
   source_ = recorded->name();
   source_state_ = recorded->fingerprint();
   shift_ = recorded->shift();
@@ -162,17 +165,18 @@ ObservationSequence::withPoses(const std::vector<std::size_t>& places,
                                Trajectory trajectory) const
 {
   if (trajectory.poses.size() != places.size())
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "there are " << trajectory.poses.size() << " poses for "
-                                     << places.size() << " observations");
+    throw acmap::BadArgument("there are ",
+                             trajectory.poses.size(),
+                             " poses for ",
+                             places.size(),
+                             " observations");
   ObservationSequence posed = *this;
   posed.paths_.clear();
   std::size_t next = 0;
   for (const std::size_t place : places) {
     if (place < next || place >= size())
-      PCL_THROW_EXCEPTION(BadArgumentException,
-                          "observation " << place << " is none of " << source_
-                                         << ", or out of order");
+      throw acmap::BadArgument(
+          "observation ", place, " is none of ", source_, ", or out of order");
     posed.paths_.push_back(paths_[place]);
     next = place + 1;
   }
@@ -237,7 +241,7 @@ ObservationSequence::put(std::size_t begin,
                          acmap::ByteParcel& parcel) const
 {
   if (!scale_)
-    throw BadArgumentException(source_ + ": its observations are no files");
+    throw acmap::BadArgument(source_ + ": its observations are no files");
   parcel.put(*scale_);
   parcel.put(is_given_);
   parcel.put(hasTrajectory());

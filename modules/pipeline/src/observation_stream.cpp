@@ -71,9 +71,8 @@ ObservationStream::push(Item item)
 {
   std::unique_lock lock(mutex_);
   if (ends_)
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        "the map of the observations was computed: clear () begins "
-                        "another one");
+    throw acmap::InitFailed("the map of the observations was computed: clear () begins "
+                            "another one");
   const auto has_room = [this] {
     return fault_ || waiting_.size() < steps_.maximum_waiting;
   };

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/filters/depth_refinement.h>
 #include <pcl/pipeline/picture.h>
@@ -37,8 +38,7 @@ pictureOf(const PointView& points, std::size_t width, DepthSensor sensor)
     return Picture{organized(view->points(), view->width()), view->order()};
   if (is_automatic)
     return std::nullopt;
-  PCL_THROW_EXCEPTION(
-      UnorganizedPointCloudException,
+  throw acmap::Unorganized(
       "quantised depth and stereo need one organized view in its "
       "sensor's frame, z forward, with at least 1000 points, or what is "
       "left of one without its NaN pixels");
@@ -96,7 +96,7 @@ refineQuantisedDepth(const std::shared_ptr<const PointCloudFile>& observation,
                      unsigned threads)
 {
   if (!observation)
-    throw BadArgumentException("the observation is a null pointer");
+    throw acmap::BadArgument("the observation is a null pointer");
   std::shared_ptr<PointCloudFile> refined; // copied only if there is something to move
   std::size_t position = 0;
   const auto move = [&](std::size_t i, const PointXYZ& point) {

@@ -2,6 +2,7 @@
 #include "replaced_planes.h"
 
 #include <pcl/core/cylinder_rims.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/large_memory.h>
@@ -445,7 +446,7 @@ void
 PlaneMapping::setInputCloud(std::shared_ptr<const PointCloudFile> cloud)
 {
   if (!cloud)
-    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud is a null pointer");
+    throw acmap::InitFailed("the input cloud is a null pointer");
   rows_ = sharedCloud(cloud);
   input_ = std::move(cloud);
 }
@@ -483,7 +484,7 @@ void
 PlaneMapping::setMeshConstruction(const MeshConstruction<Vertex>::Ptr& construction)
 {
   if (!construction)
-    throw BadArgumentException("the mesh construction is a null pointer");
+    throw acmap::BadArgument("the mesh construction is a null pointer");
   construction_ = construction;
 }
 

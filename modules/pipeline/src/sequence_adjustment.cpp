@@ -1,6 +1,7 @@
 #include "locked_reader.h"
 #include "part_of_progress.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/egomotion/revisit_detection.h>
 #include <pcl/mapping/plane_adjustment.h>
 #include <pcl/pipeline/sequence_adjustment.h>
@@ -47,9 +48,9 @@ void
 SequenceAdjustment::compute(const ObservationSequence& sequence, Trajectory& trajectory)
 {
   if (!before_.empty() && before_.size() != sequence.size())
-    throw BadArgumentException("there are " + std::to_string(before_.size()) +
-                               " poses before the rectification of " +
-                               std::to_string(sequence.size()) + " observations");
+    throw acmap::BadArgument("there are " + std::to_string(before_.size()) +
+                             " poses before the rectification of " +
+                             std::to_string(sequence.size()) + " observations");
   Trajectory result;
   bool has_images = true;
   for (std::size_t i = 0; i < sequence.size(); ++i) {

@@ -114,7 +114,7 @@ std::optional<Eigen::Isometry3d>
 SequenceAlignment::align(const ObservationSequence& source)
 {
   if (!target_)
-    PCL_THROW_EXCEPTION(InitFailedException, "there is no sequence to align with");
+    throw acmap::InitFailed("there is no sequence to align with");
   const ObservationSequence& target = *target_;
   acmap::LockedReader target_reader(target), source_reader(source);
   Views detection;

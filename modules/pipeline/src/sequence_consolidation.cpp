@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/filters/voxel_consolidation.h>
@@ -94,9 +95,9 @@ SequenceConsolidation::compute(const ObservationSequence& sequence,
   ConsolidatedObservations found;
   std::vector<std::string> remarks;
   if (!consolidated_.empty() && consolidated_.size() != sequence.size())
-    throw BadArgumentException(std::to_string(consolidated_.size()) +
-                               " consolidated observations for a sequence of " +
-                               std::to_string(sequence.size()));
+    throw acmap::BadArgument(std::to_string(consolidated_.size()) +
+                             " consolidated observations for a sequence of " +
+                             std::to_string(sequence.size()));
   for (std::size_t i = 0; i < sequence.size(); ++i) {
     progress.tell(static_cast<double>(i) / static_cast<double>(sequence.size()),
                   "reading");

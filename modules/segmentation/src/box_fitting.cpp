@@ -2,7 +2,7 @@
 
 #include "boxes/box_kernel.h"
 
-#include <pcl/exceptions.h>
+#include <pcl/core/exceptions.h>
 
 namespace pcl {
 
@@ -10,7 +10,7 @@ void
 BoxFitting::segment(std::vector<BoxPatch>& boxes)
 {
   if (!has_planes_)
-    PCL_THROW_EXCEPTION(InitFailedException, "no planes were set");
+    throw acmap::InitFailed("no planes were set");
   BoxFittingReport report;
   boxes = acmap::boxes::fitBoxes(planes_, acmap::Progress(progress_), report);
   report_ = std::move(report);

@@ -1,5 +1,5 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/mesh_input.h>
-#include <pcl/exceptions.h>
 #include <pcl/segmentation/clustering_inputs.h>
 
 namespace pcl {
@@ -53,9 +53,8 @@ ClusteringInputs::requireAsMany(const char* what,
                                 std::size_t points)
 {
   if (number != points)
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        "there are " << number << " " << what << " for " << points
-                                     << " points");
+    throw acmap::InitFailed(
+        "there are ", number, " ", what, " for ", points, " points");
 }
 
 void

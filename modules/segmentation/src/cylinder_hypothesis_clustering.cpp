@@ -1,5 +1,5 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
-#include <pcl/exceptions.h>
 #include <pcl/segmentation/cylinder_hypothesis_clustering.h>
 
 #include <algorithm>
@@ -51,8 +51,7 @@ CylinderClusteringParameters::requirePlanes(std::size_t points) const
   const auto size = static_cast<std::int32_t>(planes_.size());
   const auto requirePlane = [size](std::int32_t label) {
     if (label < -1 || label >= size)
-      PCL_THROW_EXCEPTION(InitFailedException,
-                          "there is no plane " << label << ", only " << size);
+      throw acmap::InitFailed("there is no plane ", label, ", only ", size);
   };
   std::for_each(plane_labels_.begin(), plane_labels_.end(), requirePlane);
   std::for_each(plane_source_labels_.begin(), plane_source_labels_.end(), requirePlane);

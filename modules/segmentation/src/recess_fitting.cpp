@@ -2,7 +2,7 @@
 
 #include "recesses/recess_kernel.h"
 
-#include <pcl/exceptions.h>
+#include <pcl/core/exceptions.h>
 
 namespace pcl {
 
@@ -10,7 +10,7 @@ void
 RecessFitting::segment(std::vector<RecessPatch>& recesses)
 {
   if (!has_planes_)
-    PCL_THROW_EXCEPTION(InitFailedException, "no planes were set");
+    throw acmap::InitFailed("no planes were set");
   RecessFittingReport report;
   recesses = acmap::recesses::fitRecesses(planes_, acmap::Progress(progress_), report);
   report_ = std::move(report);

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/simulation/simulated_observation.h>
 
 #include <cmath>
@@ -10,8 +11,8 @@ appendObservation(const SimulatedObservation& observation,
                   MergedObservations& merged)
 {
   if (view >= merged.trajectory.poses.size())
-    throw BadArgumentException("the merged trajectory has no pose " +
-                               std::to_string(view));
+    throw acmap::BadArgument("the merged trajectory has no pose " +
+                             std::to_string(view));
   const Eigen::Isometry3d& T_map_camera = merged.trajectory.poses[view];
   for (const ObservationPixel& pixel : observation.pixels) {
     if (!std::isfinite(pixel.x))

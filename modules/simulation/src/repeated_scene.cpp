@@ -43,7 +43,7 @@ SimulatedScene
 repeatedScene(const SimulatedScene& scene, std::size_t columns, std::size_t rows)
 {
   if (columns == 0 || rows == 0)
-    throw BadArgumentException("a scene needs a column and a row");
+    throw acmap::BadArgument("a scene needs a column and a row");
   constexpr double gap = 2; // metres
   Eigen::AlignedBox3d box;
   for (const SimulatedSurface& surface : scene.geometry.surfaces())

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/simulation/scene_geometry.h>
 
 #include <pcl/core/impl/arguments.h>
@@ -68,8 +69,8 @@ requireInPlane(const TruthPlane& plane, const SimulatedRectangle& rectangle)
                             distanceTo(plane, corner),
                             "within 1e-6 m of 0");
   if (rectangle.normal().dot(plane.coefficients.head<3>()) < 0.0)
-    throw BadArgumentException("a rectangle looks to the other side than its plane '" +
-                               plane.name + "': exchange its edges");
+    throw acmap::BadArgument("a rectangle looks to the other side than its plane '" +
+                             plane.name + "': exchange its edges");
 }
 
 } // namespace
@@ -101,8 +102,8 @@ void
 SceneGeometry::addSurface(SimulatedSurface surface)
 {
   if (surfaces_.size() == max_surfaces)
-    throw BadArgumentException("a scene has at most " + std::to_string(max_surfaces) +
-                               " surfaces");
+    throw acmap::BadArgument("a scene has at most " + std::to_string(max_surfaces) +
+                             " surfaces");
   surfaces_.push_back(std::move(surface));
 }
 

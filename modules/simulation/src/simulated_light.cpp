@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/simulation/simulated_light.h>
 
 #include <pcl/core/impl/arguments.h>
@@ -29,7 +30,7 @@ requireSoundProjector(const SimulatedProjector& projector)
       "projector falloff_distance", projector.falloff_distance, 1e-3, 1e3, "m");
   requireInRange("projector blur", projector.blur, 0, widest_blur, "px");
   if (!isRigid(projector.T_reference_projector))
-    throw BadArgumentException("T_reference_projector is no rigid motion");
+    throw acmap::BadArgument("T_reference_projector is no rigid motion");
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/simulation/simulated_observation.h>
 
 #include "light/pinhole_scene.h"
@@ -487,8 +488,8 @@ observe(const SimulatedScene& scene,
   if (view >= scene.views.size() || image.width != scene.rig.width ||
       image.height != scene.rig.height || image.distance.size() != pixels ||
       image.surface.size() != pixels)
-    throw BadArgumentException("the image is none of view " + std::to_string(view) +
-                               " of scene '" + scene.name + "'");
+    throw acmap::BadArgument("the image is none of view " + std::to_string(view) +
+                             " of scene '" + scene.name + "'");
   if (scene.depth_camera)
     return acmap::measureDepths(scene, image, view, seed);
   return Measurement(scene, image, view, seed).run();
@@ -498,8 +499,8 @@ SimulatedObservation
 observe(const SimulatedScene& scene, std::size_t view, std::uint64_t seed)
 {
   if (view >= scene.views.size())
-    throw BadArgumentException("scene '" + scene.name + "' has no view " +
-                               std::to_string(view));
+    throw acmap::BadArgument("scene '" + scene.name + "' has no view " +
+                             std::to_string(view));
   const SurfaceImage image = castView(scene.geometry, scene.rig, scene.views[view]);
   return observe(scene, image, view, seed);
 }

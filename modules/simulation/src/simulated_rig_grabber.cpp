@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
 
 #include "light/rig_simulation.h"
@@ -21,8 +22,7 @@ simulationOf(const SimulatedScene& scene,
              acmap::RigRays cameras)
 {
   if (scene.views.empty())
-    throw BadArgumentException("scene '" + scene.name +
-                               "' has no views to see it from");
+    throw acmap::BadArgument("scene '" + scene.name + "' has no views to see it from");
   return std::make_unique<acmap::RigSimulation>(
       scene, patterns, light, std::move(cameras));
 }

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/simulation/simulated_scene.h>
 
 #include <pcl/core/impl/arguments.h>
@@ -42,7 +43,7 @@ std::vector<TruthPlane>
 planesInMap(const SimulatedScene& scene)
 {
   if (scene.views.empty())
-    throw BadArgumentException("a scene without views has no map frame");
+    throw acmap::BadArgument("a scene without views has no map frame");
   const Eigen::Isometry3d T_map_scene = scene.views.front().inverse();
   std::vector<TruthPlane> planes;
   for (const TruthPlane& plane : scene.geometry.planes())

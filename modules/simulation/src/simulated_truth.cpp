@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/simulation/simulated_truth.h>
 
 #include "light/lit_view.h"
@@ -119,8 +120,8 @@ truthOf(const SimulatedScene& scene,
         const SimulatedProjector& projector)
 {
   if (view >= scene.views.size())
-    throw BadArgumentException("scene '" + scene.name + "' has no view " +
-                               std::to_string(view));
+    throw acmap::BadArgument("scene '" + scene.name + "' has no view " +
+                             std::to_string(view));
   SimulatedLight light;
   light.projector = projector;
   requireSoundLight(light);

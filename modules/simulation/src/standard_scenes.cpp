@@ -2,7 +2,7 @@
 
 #include "scene_text.h"
 
-#include <pcl/exceptions.h>
+#include <pcl/core/exceptions.h>
 
 namespace pcl {
 
@@ -27,7 +27,7 @@ standardScene(const std::string& name)
       return acmap::readScene(acmap::parseYaml(name + ".yaml", scene.text));
     known += std::string(known.empty() ? "" : ", ") + scene.name;
   }
-  throw BadArgumentException("'" + name + "' is no standard scene; there are " + known);
+  throw acmap::BadArgument("'" + name + "' is no standard scene; there are " + known);
 }
 
 } // namespace pcl

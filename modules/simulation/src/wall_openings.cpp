@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/simulation/scene_geometry.h>
 
 #include <pcl/core/impl/arguments.h>
@@ -71,8 +72,8 @@ SceneGeometry::findFloor(const std::string& name) const
   for (const SimulatedSurface& surface : surfaces_)
     if (surface.name == name && surface.plane >= 0)
       return surface;
-  throw BadArgumentException("openings: there is no rectangle '" + name +
-                             "' before them for their floor");
+  throw acmap::BadArgument("openings: there is no rectangle '" + name +
+                           "' before them for their floor");
 }
 
 void

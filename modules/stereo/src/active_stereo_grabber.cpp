@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/stereo/active_stereo_grabber.h>
 
 #include "grabber/observation_stream.h"
@@ -15,7 +16,7 @@ shared_ptr<TrinocularGrabber>
 requireGrabber(shared_ptr<TrinocularGrabber> frames)
 {
   if (!frames)
-    throw BadArgumentException("ActiveStereoGrabber needs a grabber of frames");
+    throw acmap::BadArgument("ActiveStereoGrabber needs a grabber of frames");
   return frames;
 }
 
@@ -36,7 +37,7 @@ struct ActiveStereoGrabber::State {
   settings()
   {
     if (stream.isRunning())
-      throw InitFailedException("ActiveStereoGrabber streams: nothing can be set now");
+      throw acmap::InitFailed("ActiveStereoGrabber streams: nothing can be set now");
     return stream.maker();
   }
 

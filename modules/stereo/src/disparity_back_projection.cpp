@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/stereo/disparity_back_projection.h>
 
@@ -20,9 +21,9 @@ void
 requireSize(const char* name, int width, int height, const TrinocularRig& rig)
 {
   if (width != rig.width || height != rig.height)
-    throw BadArgumentException(
-        std::string(name) + " has " + acmap::sizeText(width, height) +
-        " pixels, the rig has " + acmap::sizeText(rig) + " pixels");
+    throw acmap::BadArgument(std::string(name) + " has " +
+                             acmap::sizeText(width, height) + " pixels, the rig has " +
+                             acmap::sizeText(rig) + " pixels");
 }
 
 void
@@ -33,11 +34,11 @@ requireMatched(const MatchedDisparity& matched, const TrinocularRig& rig)
   const std::size_t pixels =
       static_cast<std::size_t>(rig.width) * static_cast<std::size_t>(rig.height);
   if (disparity.values.size() != pixels)
-    throw BadArgumentException("the disparity image has not all its values");
+    throw acmap::BadArgument("the disparity image has not all its values");
   if (!matched.sigma.empty() && matched.sigma.size() != pixels)
-    throw BadArgumentException("there are " + std::to_string(matched.sigma.size()) +
-                               " standard deviations of " + std::to_string(pixels) +
-                               " disparities");
+    throw acmap::BadArgument("there are " + std::to_string(matched.sigma.size()) +
+                             " standard deviations of " + std::to_string(pixels) +
+                             " disparities");
 }
 
 void
@@ -47,9 +48,8 @@ requireColor(const CameraImage& color, const TrinocularRig& rig)
     return;
   requireSize("the colour image", color.width, color.height, rig);
   if (!isWhole(color))
-    throw BadArgumentException("the colour image has " +
-                               std::to_string(color.channels) +
-                               " channels, legal are 1 and 3, or not all its values");
+    throw acmap::BadArgument("the colour image has " + std::to_string(color.channels) +
+                             " channels, legal are 1 and 3, or not all its values");
 }
 
 } // namespace
@@ -65,7 +65,7 @@ const TrinocularRig&
 DisparityBackProjection::getInputRig() const
 {
   if (!rig_)
-    throw InitFailedException("DisparityBackProjection has no rig");
+    throw acmap::InitFailed("DisparityBackProjection has no rig");
   return *rig_;
 }
 

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/stereo/disparity_fusion.h>
 
 #include "fusion/fused_shots.h"
@@ -30,7 +31,7 @@ struct DisparityFusion::State {
   requireObservation()
   {
     if (!observation)
-      throw InitFailedException("DisparityFusion has no rig");
+      throw acmap::InitFailed("DisparityFusion has no rig");
     return *observation;
   }
 
@@ -212,11 +213,11 @@ DisparityFusion::addShot(const TrinocularFrame::ConstPtr& shot)
 {
   Observation& observation = state_->requireObservation();
   if (!shot)
-    throw BadArgumentException("the shot is null");
+    throw acmap::BadArgument("the shot is null");
   acmap::requireShotOf(*state_->rig, *shot);
   if (observation.shots() == acmap::max_shots)
-    throw BadArgumentException("an observation has at most " +
-                               std::to_string(acmap::max_shots) + " shots");
+    throw acmap::BadArgument("an observation has at most " +
+                             std::to_string(acmap::max_shots) + " shots");
   const CameraImage& reference = shot->image(RigCamera::Reference);
   if (shot->pattern == TrinocularFrame::no_pattern) {
     acmap::withThreads(state_->threads, [&] { observation.addDark(shot); });
@@ -320,9 +321,9 @@ disparityFusionMethod(const std::string& name)
     return Method::Statistical;
   if (name == "spacetime")
     return Method::SpaceTime;
-  throw BadArgumentException("\"" + name +
-                             "\" is no method of fusion; legal are median, "
-                             "statistical and spacetime");
+  throw acmap::BadArgument("\"" + name +
+                           "\" is no method of fusion; legal are median, "
+                           "statistical and spacetime");
 }
 
 } // namespace pcl

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/stereo/rig_calibrator.h>
 
@@ -21,7 +22,7 @@ requireBoardImage(const CameraImage& image, const std::string& name)
 {
   constexpr std::int32_t longest = 32768;
   if (!isWhole(image) || image.width > longest || image.height > longest)
-    throw BadArgumentException(name + ": the image has not all its values");
+    throw acmap::BadArgument(name + ": the image has not all its values");
 }
 
 bool
@@ -114,7 +115,7 @@ RigCalibrator::setBoard(const CalibrationBoard& board)
   acmap::requireInRange("rows of the board", board.rows, 3, 100, "corners");
   acmap::requireInRange("square of the board", board.square, 1e-4, 10.0, "m");
   if ((board.columns + board.rows) % 2 == 0)
-    throw BadArgumentException(
+    throw acmap::BadArgument(
         "a board of " + acmap::sizeText(board.columns, board.rows) +
         " corners looks the same upside down: one count must be even, the other odd");
   *this = RigCalibrator();
@@ -190,7 +191,7 @@ RigCalibrator::beginFit()
     fit.views[camera].push_back(std::move(view));
   }
   if (!fit.is_there[1] && !fit.is_there[2])
-    throw InitFailedException("there are no images of a neighbour of the reference");
+    throw acmap::InitFailed("there are no images of a neighbour of the reference");
   return fit;
 }
 
@@ -256,9 +257,9 @@ const std::vector<Eigen::Vector2f>&
 RigCalibrator::getCorners(std::size_t image) const
 {
   if (image >= corners_.size())
-    throw BadArgumentException("image = " + std::to_string(image) +
-                               " is refused: the report has " +
-                               std::to_string(corners_.size()) + " images");
+    throw acmap::BadArgument("image = " + std::to_string(image) +
+                             " is refused: the report has " +
+                             std::to_string(corners_.size()) + " images");
   return corners_[image];
 }
 

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/stereo/trinocular_matching.h>
 
 #include "matching/joined_pairs.h"
@@ -31,7 +32,7 @@ shotsToMatch(const std::vector<TrinocularFrame::ConstPtr>& shots,
   Shots lit;
   for (const TrinocularFrame::ConstPtr& shot : shots) {
     if (!shot)
-      throw BadArgumentException("a shot is null");
+      throw acmap::BadArgument("a shot is null");
     acmap::requireShotOf(rig, *shot);
     if (shot->pattern != TrinocularFrame::no_pattern)
       lit.push_back(shot.get());
@@ -129,7 +130,7 @@ const TrinocularRig&
 TrinocularMatching::getInputRig() const
 {
   if (!rig_)
-    throw InitFailedException("TrinocularMatching has no rig");
+    throw acmap::InitFailed("TrinocularMatching has no rig");
   return *rig_;
 }
 

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/stereo/trinocular_rectification.h>
 
@@ -18,7 +19,7 @@ void
 requireFits(const CameraImage& image, const char* name, const RigCalibration& rig)
 {
   const auto fail = [&](const std::string& fault) {
-    throw BadArgumentException(std::string("the ") + name + " image " + fault);
+    throw acmap::BadArgument(std::string("the ") + name + " image " + fault);
   };
   if (image.width != rig.width || image.height != rig.height)
     fail("has " + acmap::sizeText(image) + " pixels, the calibration has " +
@@ -78,7 +79,7 @@ const TrinocularRectification::State&
 TrinocularRectification::requireState() const
 {
   if (!state_)
-    throw InitFailedException("TrinocularRectification has no calibration");
+    throw acmap::InitFailed("TrinocularRectification has no calibration");
   return *state_;
 }
 
@@ -87,7 +88,7 @@ TrinocularRectification::requireCamera(RigCamera camera) const
 {
   const CameraCalibration& found = requireState().calibration.camera(camera);
   if (!found.is_there)
-    throw BadArgumentException("the rig has no such camera");
+    throw acmap::BadArgument("the rig has no such camera");
   return found;
 }
 
@@ -147,9 +148,9 @@ TrinocularRectification::rectify(const TrinocularFrame& frame,
     if (frame.images[i].empty())
       continue;
     if (!state.tables[i])
-      throw BadArgumentException(std::string("there is a ") +
-                                 nameOf(static_cast<RigCamera>(i)) +
-                                 " image, but no such camera in the calibration");
+      throw acmap::BadArgument(std::string("there is a ") +
+                               nameOf(static_cast<RigCamera>(i)) +
+                               " image, but no such camera in the calibration");
     requireFits(frame.images[i], nameOf(static_cast<RigCamera>(i)), state.calibration);
   }
   std::array<CameraImage, 3> images;

@@ -2,6 +2,7 @@
 #include "scene_change.h"
 #include "video_device.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/rig_cameras.h>
 #include <pcl/video/camera_grabber.h>
@@ -37,16 +38,16 @@ requireDevices(const TrinocularRig& rig, const std::vector<std::string>& devices
 {
   const auto cameras = static_cast<std::size_t>(acmap::countCameras(rig));
   if (devices.size() != cameras)
-    throw BadArgumentException(std::to_string(devices.size()) +
-                               " cameras are refused: the rig has " +
-                               std::to_string(cameras));
+    throw acmap::BadArgument(std::to_string(devices.size()) +
+                             " cameras are refused: the rig has " +
+                             std::to_string(cameras));
   if (cameras < 2)
-    throw BadArgumentException("a rig of one camera is refused: a baseline is needed");
+    throw acmap::BadArgument("a rig of one camera is refused: a baseline is needed");
   for (std::size_t i = 0; i < devices.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (acmap::isSameVideo(devices[i], devices[j]))
-        throw BadArgumentException(devices[j] + " and " + devices[i] +
-                                   " are refused: they are one camera");
+        throw acmap::BadArgument(devices[j] + " and " + devices[i] +
+                                 " are refused: they are one camera");
 }
 
 /** \brief The largest change of any camera, and the camera that saw it. */
@@ -478,7 +479,7 @@ CameraGrabber::CameraGrabber(const TrinocularRig& rig,
   requireSoundRig(rig);
   requireDevices(rig, devices);
   if (!opener)
-    throw BadArgumentException("there is nothing that opens cameras");
+    throw acmap::BadArgument("there is nothing that opens cameras");
   state_.reset(new State(rig, devices, std::move(opener)));
   state_->open();
   state_->frames = createSignal<FrameCallback>();
@@ -537,7 +538,7 @@ void
 CameraGrabber::setMaximumChange(double levels)
 {
   if (levels == 0.0)
-    throw BadArgumentException("maximum_change = 0 is refused: images have noise");
+    throw acmap::BadArgument("maximum_change = 0 is refused: images have noise");
   acmap::requireInRange("maximum_change", levels, 0, 255, "grey levels");
   const std::lock_guard lock(state_->mutex);
   state_->maximum_change = levels;
@@ -588,8 +589,8 @@ CameraGrabber::setPixelFormat(const std::string& format)
         return std::isprint(character) != 0;
       });
   if (!format.empty() && (format.size() != 4 || !is_printable))
-    throw BadArgumentException("pixel_format = '" + format.substr(0, 40) +
-                               "' is refused: four characters are needed, as in MJPG");
+    throw acmap::BadArgument("pixel_format = '" + format.substr(0, 40) +
+                             "' is refused: four characters are needed, as in MJPG");
   const std::lock_guard lock(state_->mutex);
   state_->is_format_new = state_->is_format_new || state_->pixel_format != format;
   state_->pixel_format = format;

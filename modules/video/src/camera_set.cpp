@@ -1,5 +1,6 @@
 #include "camera_set.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/rig_cameras.h>
 
@@ -139,9 +140,9 @@ requireDifferentImages(const CameraSet& set, const ImageSet& images)
   for (const CameraSet::Camera& a : set.cameras())
     for (const CameraSet::Camera& b : set.cameras())
       if (a.place < b.place && imageOf(a) == imageOf(b) && !isUniform(imageOf(a)))
-        throw BadArgumentException(nameOfCamera(a) + ", and " + nameOfCamera(b) +
-                                   ", are refused: they give the same image, so they "
-                                   "are one camera");
+        throw acmap::BadArgument(nameOfCamera(a) + ", and " + nameOfCamera(b) +
+                                 ", are refused: they give the same image, so they "
+                                 "are one camera");
 }
 
 } // namespace pcl::acmap

@@ -2,6 +2,7 @@
 
 #include "camera_fit.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 
 #include <algorithm>
@@ -114,9 +115,9 @@ requireSound(const SceneView& view)
   requireInRange("height", view.height, 1, max_pixels, "pixels");
   for (const auto* vector : {&view.from, &view.look, &view.up})
     if (*vector && !(*vector)->allFinite())
-      throw BadArgumentException("a place or direction of the view is not finite");
+      throw acmap::BadArgument("a place or direction of the view is not finite");
   if (view.up && view.up->norm() == 0)
-    throw BadArgumentException("up of the view is refused: it has no length");
+    throw acmap::BadArgument("up of the view is refused: it has no length");
 }
 
 Camera
@@ -133,7 +134,7 @@ lookAlong(const std::vector<Eigen::Vector3f>& points,
     camera.position = view.from->cast<double>();
     const Vector3d ahead = camera.focus - camera.position;
     if (ahead.norm() == 0)
-      throw BadArgumentException("the view looks from a point to the same point");
+      throw acmap::BadArgument("the view looks from a point to the same point");
     camera.up = uprightUp(up, ahead.normalized());
   }
   else {

@@ -1,6 +1,6 @@
 #include <pcl/visualization/display_connection.h>
 
-#include <pcl/exceptions.h>
+#include <pcl/core/exceptions.h>
 
 #include <X11/Xlib.h>
 #include <xcb/xcb.h>
@@ -20,13 +20,13 @@ DisplayConnection::DisplayConnection()
 {
   const char* const name = std::getenv("DISPLAY");
   if (!name || !*name)
-    throw InitFailedException(std::string("no display: DISPLAY is not set") + advice);
+    throw acmap::InitFailed(std::string("no display: DISPLAY is not set") + advice);
   connection_ = xcb_connect(name, nullptr);
   if (isOpen())
     return;
   xcb_disconnect(connection_);
-  throw InitFailedException("no display: the X server " + std::string(name) +
-                            " does not answer" + advice);
+  throw acmap::InitFailed("no display: the X server " + std::string(name) +
+                          " does not answer" + advice);
 }
 
 DisplayConnection::~DisplayConnection()

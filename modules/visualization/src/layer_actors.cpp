@@ -8,8 +8,8 @@
 #include "scene_renderer.h"
 
 #include <pcl/core/box_sides.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
-#include <pcl/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -222,7 +222,7 @@ requireInside(const PCLPointField& field, const PCLPointCloud2& cloud)
 {
   if (std::size_t{field.offset} + 4 > cloud.point_step ||
       cloud.data.size() < std::size_t{cloud.point_step} * cloud.width * cloud.height)
-    throw BadArgumentException("field " + field.name + " is not inside of the cloud");
+    throw acmap::BadArgument("field " + field.name + " is not inside of the cloud");
 }
 
 } // namespace
@@ -258,7 +258,7 @@ pointsBefore(const LayeredScene& scene)
   fields[3] = viewField(scene.points);
   for (const PCLPointField* const field : fields) {
     if (!field)
-      throw BadArgumentException("points without x y z and view have no place before");
+      throw acmap::BadArgument("points without x y z and view have no place before");
     requireInside(*field, scene.points);
   }
   PCLPointCloud2 cloud = scene.points;

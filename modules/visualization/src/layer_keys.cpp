@@ -2,7 +2,7 @@
 
 #include "layer_actors.h"
 
-#include <pcl/exceptions.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/visualization/plane_card.h>
 
 #include <vtkObjectFactory.h>
@@ -147,7 +147,7 @@ void
 LayerKeys::toggleTexture()
 {
   if (stage_->act() == Act::Before)
-    throw BadArgumentException("there is no texture before rectification");
+    throw acmap::BadArgument("there is no texture before rectification");
   const bool textured = stage_->isShown(SceneLayer::Texture);
   stage_->show(textured ? SceneLayer::Planes : SceneLayer::Texture, true);
   stage_->show(textured ? SceneLayer::Texture : SceneLayer::Planes, false);

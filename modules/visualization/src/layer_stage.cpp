@@ -8,8 +8,8 @@
 #include "scene_renderer.h"
 
 #include <pcl/core/box_sides.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/map_pictures.h>
-#include <pcl/exceptions.h>
 
 #include <algorithm>
 
@@ -43,7 +43,7 @@ withoutPose(LayeredView view)
   if (!view.at_pose)
     return view;
   if (view.from || view.look || view.place != MapView::Place::Outside)
-    throw BadArgumentException("a view from a pose has no other place of the eye");
+    throw acmap::BadArgument("a view from a pose has no other place of the eye");
   view.place = MapView::Place::Inside; // back faces are visible there
   return view;
 }
@@ -96,15 +96,15 @@ LayerStage::LayerStage(const LayeredScene& scene, const LayeredView& view)
   std::set<SceneLayer> all = layersOf(scene);
   all.erase(SceneLayer::Trajectory); // alone it does not show a scene
   if (all.empty())
-    throw InitFailedException("nothing to show: the scene has no points and no planes");
+    throw acmap::InitFailed("nothing to show: the scene has no points and no planes");
   if (view.before && view.wall_step)
-    throw BadArgumentException("the walls have no steps before rectification");
+    throw acmap::BadArgument("the walls have no steps before rectification");
   if (!scene.map.planes.empty() || !scene.map.cylinders.empty())
     drawing_.emplace(scene.map, view_);
   else if (view.place == MapView::Place::Inside ||
            (view.place == MapView::Place::Plan && scene.map.trajectory.poses.empty()))
-    throw BadArgumentException("a view from inside needs planes, a plan planes or a "
-                               "trajectory, and there are none");
+    throw acmap::BadArgument("a view from inside needs planes, a plan planes or a "
+                             "trajectory, and there are none");
   camera_ = drawing_ ? drawing_->camera() : cameraOf(scene, view_);
   renderer_ = makeStage(camera_, true);
 
@@ -130,7 +130,7 @@ void
 LayerStage::require(Act act) const
 {
   if (act == Act::Before && layersBefore(scene_).empty())
-    throw BadArgumentException(
+    throw acmap::BadArgument(
         scene_.trajectory_before.poses.empty()
             ? "there is nothing to show as before rectification: no trajectory_before"
             : "there is nothing to show as before rectification: " +
@@ -138,9 +138,9 @@ LayerStage::require(Act act) const
                   " poses before, " +
                   std::to_string(scene_.map.trajectory.poses.size()) + " after");
   if (act == Act::Walls && wallSteps(scene_.mesh) == 0)
-    throw BadArgumentException("there is no step of walls to show: no mesh that has "
-                               "wall depths of more than one "
-                               "step");
+    throw acmap::BadArgument("there is no step of walls to show: no mesh that has "
+                             "wall depths of more than one "
+                             "step");
 }
 
 void
@@ -159,9 +159,9 @@ LayerStage::playStep(std::size_t step)
   require(Act::Walls);
   const std::size_t steps = wallSteps(scene_.mesh);
   if (step >= steps)
-    throw BadArgumentException("there is no step " + std::to_string(step) +
-                               " of the walls: they count from 0 to " +
-                               std::to_string(steps - 1));
+    throw acmap::BadArgument("there is no step " + std::to_string(step) +
+                             " of the walls: they count from 0 to " +
+                             std::to_string(steps - 1));
   auto& old = layers_[{Act::Walls, SceneLayer::Mesh}];
   if (old)
     renderer_->RemoveActor(old);
@@ -182,9 +182,9 @@ LayerStage::show(SceneLayer layer, bool on)
   static const char* const names[] = {
       "points", "mesh", "normals", "planes", "texture", "trajectory", "proposed"};
   if (layersOfAct(act_).count(layer) == 0)
-    throw BadArgumentException(std::string("there is nothing to show as ") +
-                               names[static_cast<int>(layer) - 1] +
-                               (act_ == Act::Before ? " before rectification" : ""));
+    throw acmap::BadArgument(std::string("there is nothing to show as ") +
+                             names[static_cast<int>(layer) - 1] +
+                             (act_ == Act::Before ? " before rectification" : ""));
   if (on)
     prepare(act_, layer);
   if (on)
@@ -247,10 +247,10 @@ LayerStage::lookFrom(std::size_t pose)
 {
   const auto& poses = trajectory().poses;
   if (pose >= poses.size())
-    throw BadArgumentException("there is no pose " + std::to_string(pose) +
-                               " to look from, of " + std::to_string(poses.size()));
+    throw acmap::BadArgument("there is no pose " + std::to_string(pose) +
+                             " to look from, of " + std::to_string(poses.size()));
   if (!poses[pose].matrix().allFinite())
-    throw BadArgumentException("pose " + std::to_string(pose) + " is not finite");
+    throw acmap::BadArgument("pose " + std::to_string(pose) + " is not finite");
   look(cameraAt(poses[pose]));
 }
 

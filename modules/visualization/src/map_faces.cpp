@@ -1,9 +1,9 @@
 #include "map_faces.h"
 
 #include <pcl/core/cylinder_facets.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/chart_clip.h>
 #include <pcl/core/polygon_triangles.h>
-#include <pcl/exceptions.h>
 
 #include <Eigen/Geometry>
 
@@ -34,7 +34,7 @@ void
 requireSound(const CompactMap& map, const TextureChart& chart)
 {
   const auto refuse = [](const std::string& fault) {
-    throw BadArgumentException("a chart of the map " + fault);
+    throw acmap::BadArgument("a chart of the map " + fault);
   };
   if (chart.plane >= map.planes.size())
     refuse("is of plane " + std::to_string(chart.plane) + ", which is not there");
@@ -117,8 +117,8 @@ pictureOf(const CompactMap& map, std::size_t cylinder)
     return nullptr;
   const TexturePicture& picture = map.cylinder_pictures[cylinder];
   if (!isWhole(picture))
-    throw BadArgumentException("the picture of a cylinder of the map has not as many "
-                               "colours or kinds as texels");
+    throw acmap::BadArgument("the picture of a cylinder of the map has not as many "
+                             "colours or kinds as texels");
   return &picture;
 }
 
@@ -239,7 +239,7 @@ samplesOf(const std::vector<MapFaces>& faces)
   for (const MapFaces& part : faces)
     area += areaOf(part);
   if (!(area > 0) || !std::isfinite(area))
-    throw InitFailedException("nothing to show: no plane of the map has an area");
+    throw acmap::InitFailed("nothing to show: no plane of the map has an area");
   // a lattice of n rows has n^2 / 2 points
   const double spacing = std::sqrt(area / wanted / 2);
   std::vector<Eigen::Vector3f> samples;

@@ -2,7 +2,7 @@
 
 #include "map_faces.h"
 
-#include <pcl/exceptions.h>
+#include <pcl/core/exceptions.h>
 
 #include <array>
 #include <cmath>
@@ -115,7 +115,7 @@ planeOnRay(const CompactMap& map,
            bool fronts_only)
 {
   if (!eye.allFinite() || !direction.allFinite() || direction.norm() == 0)
-    throw BadArgumentException("a ray has to begin somewhere and lead somewhere");
+    throw acmap::BadArgument("a ray has to begin somewhere and lead somewhere");
   const auto hit = acmap::firstHit(acmap::facesOf(map), eye, direction, fronts_only);
   if (!hit || hit->plane >= map.planes.size())
     return {};

@@ -2,7 +2,7 @@
 
 #include "vtk_pieces.h"
 
-#include <pcl/exceptions.h>
+#include <pcl/core/exceptions.h>
 
 #include <Eigen/Geometry>
 
@@ -50,7 +50,7 @@ Replay::start()
   if (!flight_) {
     Flight flight(stage_.trajectory());
     if (flight.isEmpty())
-      throw BadArgumentException("there is no trajectory to fly along");
+      throw acmap::BadArgument("there is no trajectory to fly along");
     flight_ = std::move(flight);
     time_ = 0;
   }

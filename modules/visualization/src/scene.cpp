@@ -2,8 +2,8 @@
 
 #include "camera_fit.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
-#include <pcl/exceptions.h>
 
 #include <Eigen/Geometry>
 
@@ -27,8 +27,8 @@ public:
     for (int axis = 0; axis < 3; ++axis) {
       const PCLPointField* const field = findField(cloud, names[axis]);
       if (!field || field->datatype != PCLPointField::FLOAT32)
-        throw BadArgumentException(std::string("the cloud has no float32 field ") +
-                                   names[axis]);
+        throw acmap::BadArgument(std::string("the cloud has no float32 field ") +
+                                 names[axis]);
       place_[axis] = requireInside(*field);
     }
     const PCLPointField* color = findField(cloud, "rgb");
@@ -38,7 +38,7 @@ public:
     if (has_color_)
       color_ = requireInside(*color);
     if (cloud.data.size() < size_ * step_)
-      throw BadArgumentException("the cloud has fewer bytes than its points need");
+      throw acmap::BadArgument("the cloud has fewer bytes than its points need");
   }
 
   std::size_t
@@ -74,7 +74,7 @@ private:
   requireInside(const PCLPointField& field) const
   {
     if (field.offset + sizeof(float) > step_)
-      throw BadArgumentException("field " + field.name + " lies outside of the points");
+      throw acmap::BadArgument("field " + field.name + " lies outside of the points");
     return field.offset;
   }
 
@@ -92,13 +92,12 @@ requireInside(const TriangleMesh& mesh, std::size_t size)
   for (const TriangleMesh::Triangle& triangle : mesh.triangles)
     for (const std::int32_t corner : triangle)
       if (corner < 0 || static_cast<std::size_t>(corner) >= size)
-        throw BadArgumentException("a triangle has the corner " +
-                                   std::to_string(corner) + " in a cloud of " +
-                                   std::to_string(size) + " points");
+        throw acmap::BadArgument("a triangle has the corner " + std::to_string(corner) +
+                                 " in a cloud of " + std::to_string(size) + " points");
   if (!mesh.wall_depth.empty() && mesh.wall_depth.size() != mesh.triangles.size())
-    throw BadArgumentException(
-        "the mesh has " + std::to_string(mesh.wall_depth.size()) + " wall depths for " +
-        std::to_string(mesh.triangles.size()) + " triangles");
+    throw acmap::BadArgument("the mesh has " + std::to_string(mesh.wall_depth.size()) +
+                             " wall depths for " +
+                             std::to_string(mesh.triangles.size()) + " triangles");
 }
 
 /** \brief For each point, is it drawn? */
@@ -142,7 +141,7 @@ makeScene(const PCLPointCloud2& cloud, const TriangleMesh& mesh)
       scene.colors.push_back(bytes.color(i));
   }
   if (scene.points.empty())
-    throw InitFailedException("nothing to show: no point is finite");
+    throw acmap::InitFailed("nothing to show: no point is finite");
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& [a, b, c] = mesh.triangles[i];
     const TriangleMesh::Triangle triangle = {place[a], place[b], place[c]};

@@ -1,5 +1,6 @@
 #include "grabber_state.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/rig_cameras.h>
 
@@ -40,7 +41,7 @@ void
 DigiclopsGrabber::State::requireIdle() const
 {
   if (stream.isRunning())
-    throw InitFailedException("the mode cannot be changed while the camera streams");
+    throw acmap::InitFailed("the mode cannot be changed while the camera streams");
 }
 
 void
@@ -48,9 +49,9 @@ DigiclopsGrabber::State::setMode(const IidcMode& new_mode, float new_rate)
 {
   if (new_mode.width != rig.width || new_mode.height != rig.height ||
       new_mode.cameras() != acmap::countCameras(rig))
-    throw BadArgumentException("mode " + new_mode.text() + " is refused: the rig has " +
-                               std::to_string(acmap::countCameras(rig)) +
-                               " cameras of " + acmap::sizeText(rig) + " pixels");
+    throw acmap::BadArgument("mode " + new_mode.text() + " is refused: the rig has " +
+                             std::to_string(acmap::countCameras(rig)) + " cameras of " +
+                             acmap::sizeText(rig) + " pixels");
   requireIdle();
   const float possible = camera.setMode(new_mode, new_rate);
   const acmap::BayerPattern pattern = acmap::bayerPatternOf(camera.colorFilter());

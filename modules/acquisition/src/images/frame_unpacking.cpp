@@ -1,5 +1,6 @@
 #include "frame_unpacking.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>
 
 #include <opencv2/imgproc.hpp>
@@ -15,24 +16,24 @@ requireLayout(const PlaneLayout& layout, std::size_t bytes)
 {
   const int min_side = layout.bayer == BayerPattern::None ? 1 : 3;
   if (layout.width < min_side || layout.height < min_side)
-    throw BadArgumentException("a frame of " + sizeText(layout) +
-                               " pixels; legal are sides of at least " +
-                               std::to_string(min_side));
+    throw acmap::BadArgument("a frame of " + sizeText(layout) +
+                             " pixels; legal are sides of at least " +
+                             std::to_string(min_side));
   if (layout.cameras < 1 || layout.cameras > 3)
-    throw BadArgumentException("a frame of " + std::to_string(layout.cameras) +
-                               " cameras; legal are 1 to 3");
+    throw acmap::BadArgument("a frame of " + std::to_string(layout.cameras) +
+                             " cameras; legal are 1 to 3");
   for (std::size_t k = 1; k < static_cast<std::size_t>(layout.cameras); ++k)
     for (std::size_t before = 0; before < k; ++before)
       if (layout.order[k] == layout.order[before])
-        throw BadArgumentException("a frame has the " +
-                                   std::string(nameOf(layout.order[k])) +
-                                   " camera twice");
+        throw acmap::BadArgument("a frame has the " +
+                                 std::string(nameOf(layout.order[k])) +
+                                 " camera twice");
   const std::size_t needed = static_cast<std::size_t>(layout.width) *
                              static_cast<std::size_t>(layout.height) *
                              static_cast<std::size_t>(layout.cameras);
   if (bytes < needed)
-    throw BadArgumentException("a frame of " + std::to_string(bytes) +
-                               " bytes; its images need " + std::to_string(needed));
+    throw acmap::BadArgument("a frame of " + std::to_string(bytes) +
+                             " bytes; its images need " + std::to_string(needed));
 }
 
 /** Sets the size of the image and returns it as an OpenCV matrix that shares its
@@ -81,8 +82,8 @@ bayerPatternOf(const std::string& filter)
     return BayerPattern::Grbg;
   if (filter == "BGGR")
     return BayerPattern::Bggr;
-  throw BadArgumentException("colour filter " + filter +
-                             "; legal are RGGB, GBRG, GRBG, BGGR and YYYY");
+  throw acmap::BadArgument("colour filter " + filter +
+                           "; legal are RGGB, GBRG, GRBG, BGGR and YYYY");
 }
 
 void

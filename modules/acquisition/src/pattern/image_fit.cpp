@@ -1,5 +1,6 @@
 #include "image_fit.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>
 
 #include <algorithm>
@@ -11,10 +12,10 @@ void
 requireWhole(const RgbImage& image)
 {
   if (!isWhole(image))
-    throw BadArgumentException("an image of " + sizeText(image) + " px with " +
-                               std::to_string(image.values.size()) +
-                               " values cannot be shown: it must have three a pixel, "
-                               "and at least one pixel");
+    throw acmap::BadArgument("an image of " + sizeText(image) + " px with " +
+                             std::to_string(image.values.size()) +
+                             " values cannot be shown: it must have three a pixel, "
+                             "and at least one pixel");
 }
 
 /** a b / c, rounded to the nearest integer, at least 1. */

@@ -80,8 +80,8 @@ XConnection::XConnection(const std::string& name)
 , display_(XOpenDisplay(name.empty() ? nullptr : name.c_str()))
 {
   if (!display_)
-    throw IOException(name_.empty() ? "there is no display: DISPLAY is not set"
-                                    : "display " + name_ + " cannot be opened");
+    throw acmap::IoFault(name_.empty() ? "there is no display: DISPLAY is not set"
+                                       : "display " + name_ + " cannot be opened");
   // Set a flag where Xlib would end the process.
   XSetIOErrorExitHandler(
       display_,
@@ -115,7 +115,7 @@ XConnection::call(const std::string& doing, const std::function<void()>& request
 void
 XConnection::fail(const std::string& reason) const
 {
-  throw IOException("display " + name_ + ": " + reason);
+  throw acmap::IoFault("display " + name_ + ": " + reason);
 }
 
 std::vector<MonitorPlace>
@@ -153,7 +153,7 @@ chooseMonitor(XConnection& connection, std::size_t index)
 {
   const std::vector<MonitorPlace> places = findMonitors(connection);
   if (index >= places.size())
-    throw BadArgumentException(
+    throw acmap::BadArgument(
         "monitor = " + std::to_string(index) + " is refused: the display has " +
         std::to_string(places.size()) + ", and counting begins with 0");
   return places[index];

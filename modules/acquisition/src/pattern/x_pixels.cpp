@@ -63,7 +63,7 @@ putPicture(Display* display,
                                      32,
                                      0);
   if (!image)
-    throw IOException("the X server's pixels are of an unknown form");
+    throw acmap::IoFault("the X server's pixels are of an unknown form");
   std::vector<char> bytes(static_cast<std::size_t>(image->bytes_per_line) *
                           static_cast<std::size_t>(picture.height));
   image->data = bytes.data();

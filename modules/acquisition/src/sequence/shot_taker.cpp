@@ -1,6 +1,7 @@
 #include "sequence/shot_taker.h"
 
 #include <pcl/core/camera_exception.h>
+#include <pcl/core/exceptions.h>
 
 #include <algorithm>
 #include <sstream>
@@ -31,9 +32,9 @@ ShotTaker::ShotTaker(shared_ptr<TrinocularGrabber> camera,
 , projector_(std::move(projector))
 {
   if (!camera_)
-    throw BadArgumentException("there is no camera");
+    throw acmap::BadArgument("there is no camera");
   if (!projector_)
-    throw BadArgumentException("there is no projector");
+    throw acmap::BadArgument("there is no projector");
   const std::function<TrinocularGrabber::FrameCallback> take =
       [inbox = inbox_](const TrinocularFrame::ConstPtr& frame) {
         const std::lock_guard lock(inbox->mutex);

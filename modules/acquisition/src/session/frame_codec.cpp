@@ -199,7 +199,7 @@ encodeFrame(const TrinocularFrame& frame)
   FrameHeader header = headerOf(frame);
   const std::string fault = faultOf(header);
   if (!fault.empty())
-    throw BadArgumentException("frame " + std::to_string(frame.number) + ": " + fault);
+    throw acmap::BadArgument("frame " + std::to_string(frame.number) + ": " + fault);
   std::array<std::optional<Bytes>, 3> packed;
   for (std::size_t camera = 0; camera < packed.size(); ++camera) {
     if (frame.images[camera].empty())

@@ -2,6 +2,7 @@
 #include "frame_source.h"
 #include "session_folder.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/rig_cameras.h>
 
 #include <algorithm>
@@ -111,9 +112,9 @@ requireComplete(const CameraLists& lists, const TrinocularRig& rig)
     const std::size_t needed =
         hasCamera(rig, rig_cameras[camera]) ? lists.front()->size() : 0;
     if (has != needed)
-      throw BadArgumentException(placeOf(std::min(has, needed), camera) + ": " +
-                                 std::to_string(has) + " images, " +
-                                 std::to_string(needed) + " are needed");
+      throw acmap::BadArgument(placeOf(std::min(has, needed), camera) + ": " +
+                               std::to_string(has) + " images, " +
+                               std::to_string(needed) + " are needed");
   }
 }
 
@@ -128,8 +129,8 @@ requireDifferent(const CameraLists& lists)
       const std::string place = placeOf(frame, camera);
       const auto [known, is_new] = places.emplace(path, place);
       if (!is_new)
-        throw BadArgumentException(place + ": " + path +
-                                   " was there before: " + known->second);
+        throw acmap::BadArgument(place + ": " + path +
+                                 " was there before: " + known->second);
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include "usb_device.h"
 
-#include <pcl/exceptions.h>
+#include <pcl/core/exceptions.h>
 
 #include <algorithm>
 #include <charconv>
@@ -84,9 +84,9 @@ parseUsbCameraName(const std::string& text)
     name.place = std::to_string(place->first) + ":" + std::to_string(place->second);
     return name;
   }
-  throw BadArgumentException("camera '" + text +
-                             "': not a serial number of 16 hexadecimal digits, nor "
-                             "BUS:ADDRESS, nor usb:VENDOR:PRODUCT in hexadecimal");
+  throw acmap::BadArgument("camera '" + text +
+                           "': not a serial number of 16 hexadecimal digits, nor "
+                           "BUS:ADDRESS, nor usb:VENDOR:PRODUCT in hexadecimal");
 }
 
 } // namespace pcl::acmap

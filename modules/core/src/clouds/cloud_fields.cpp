@@ -1,5 +1,6 @@
 
 #include <pcl/common/io.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
 
 #include <algorithm>
@@ -129,12 +130,10 @@ requireBytes(const CloudRows& rows)
   const PCLPointCloud2& cloud = rows.layout();
   for (const PCLPointField& field : cloud.fields)
     if (std::size_t{field.offset} + getFieldSize(field.datatype) > cloud.point_step)
-      PCL_THROW_EXCEPTION(InitFailedException,
-                          "field " << field.name << " is outside of its point");
+      throw acmap::InitFailed("field ", field.name, " is outside of its point");
   if (rows.bytes() / std::max<std::size_t>(cloud.point_step, 1) < rows.size())
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        "the cloud has fewer bytes than its " << rows.size()
-                                                              << " points");
+    throw acmap::InitFailed(
+        "the cloud has fewer bytes than its ", rows.size(), " points");
 }
 
 } // namespace
@@ -143,12 +142,11 @@ PointView
 requirePoints(const CloudRows& rows, const Indices* indices)
 {
   if (!rows)
-    PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
+    throw acmap::InitFailed("no input cloud was set");
   const PCLPointCloud2& cloud = rows.layout();
   const PCLPointField* const x = findTriple(cloud, {"x", "y", "z"});
   if (!x)
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        "the cloud has no float32 fields x, y, z side by side");
+    throw acmap::InitFailed("the cloud has no float32 fields x, y, z side by side");
   requireBytes(rows);
   if (!indices)
     return {rows.size() ? rows.data() + x->offset : nullptr,
@@ -157,9 +155,11 @@ requirePoints(const CloudRows& rows, const Indices* indices)
             rows.shares().get()};
   for (const index_t index : *indices)
     if (index < 0 || static_cast<std::size_t>(index) >= rows.size())
-      PCL_THROW_EXCEPTION(InitFailedException,
-                          "index " << index << " is outside of the input cloud of "
-                                   << rows.size() << " points");
+      throw acmap::InitFailed("index ",
+                              index,
+                              " is outside of the input cloud of ",
+                              rows.size(),
+                              " points");
   return {rows.data() + x->offset, cloud.point_step, indices->size(), indices->data()};
 }
 

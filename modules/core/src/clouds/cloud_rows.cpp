@@ -16,9 +16,9 @@ CloudRows::CloudRows(const PCLPointCloud2ConstPtr& cloud)
 CloudRows::CloudRows(PCLPointCloud2 layout, LargeVector<std::uint8_t> rows)
 {
   if (layout.point_step == 0 || rows.size() % layout.point_step != 0)
-    throw BadArgumentException(std::to_string(rows.size()) +
-                               " bytes are no rows of a point of " +
-                               std::to_string(layout.point_step));
+    throw acmap::BadArgument(std::to_string(rows.size()) +
+                             " bytes are no rows of a point of " +
+                             std::to_string(layout.point_step));
   layout.data.clear();
   const std::size_t points = rows.size() / layout.point_step;
   if (std::size_t{layout.width} * layout.height != points) {

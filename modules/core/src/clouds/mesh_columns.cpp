@@ -2,8 +2,8 @@
 
 #include "files/record_moves.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
-#include <pcl/exceptions.h>
 
 #include <algorithm>
 #include <array>
@@ -18,13 +18,13 @@ requireInside(const CloudRows& rows)
   const PCLPointCloud2& cloud = rows.layout();
   const std::size_t points = rows.size();
   if (cloud.point_step == 0 ? points > 0 : rows.bytes() / cloud.point_step < points)
-    throw BadArgumentException("cloud has " + std::to_string(points) + " points of " +
-                               std::to_string(cloud.point_step) + " bytes but " +
-                               std::to_string(rows.bytes()) + " bytes of data");
+    throw acmap::BadArgument("cloud has " + std::to_string(points) + " points of " +
+                             std::to_string(cloud.point_step) + " bytes but " +
+                             std::to_string(rows.bytes()) + " bytes of data");
   for (const PCLPointField& field : cloud.fields) {
     const std::size_t bytes = sizeOfType(field.datatype) * field.count;
     if (field.offset + bytes > cloud.point_step)
-      throw BadArgumentException("field " + field.name + " lies outside the points");
+      throw acmap::BadArgument("field " + field.name + " lies outside the points");
   }
 }
 
@@ -81,7 +81,7 @@ sortColumns(const CloudRows& rows)
   MeshColumns columns;
   const auto coordinates = findFloats(cloud, {"x", "y", "z"});
   if (coordinates.empty())
-    throw BadArgumentException("cloud has no float32 fields x, y and z");
+    throw acmap::BadArgument("cloud has no float32 fields x, y and z");
   std::copy(coordinates.begin(), coordinates.end(), columns.coordinates.begin());
   columns.normal = findFloats(cloud, {"normal_x", "normal_y", "normal_z"});
   columns.colour = findColour(cloud);

@@ -4,7 +4,7 @@
 #include "files/byte_source.h"
 #include "files/text_number.h"
 
-#include <pcl/exceptions.h>
+#include <pcl/core/exceptions.h>
 
 namespace pcl {
 
@@ -16,13 +16,13 @@ requireConsistent(std::size_t points, const TriangleMesh& mesh)
   for (const TriangleMesh::Triangle& triangle : mesh.triangles)
     for (const std::int32_t corner : triangle)
       if (corner < 0 || static_cast<std::size_t>(corner) >= points)
-        throw BadArgumentException("a triangle has the corner " +
-                                   std::to_string(corner) + " in a cloud of " +
-                                   std::to_string(points) + " points");
+        throw acmap::BadArgument("a triangle has the corner " + std::to_string(corner) +
+                                 " in a cloud of " + std::to_string(points) +
+                                 " points");
   if (!mesh.wall_depth.empty() && mesh.wall_depth.size() != mesh.triangles.size())
-    throw BadArgumentException(
-        "wall_depth has " + std::to_string(mesh.wall_depth.size()) + " entries for " +
-        std::to_string(mesh.triangles.size()) + " triangles");
+    throw acmap::BadArgument("wall_depth has " +
+                             std::to_string(mesh.wall_depth.size()) + " entries for " +
+                             std::to_string(mesh.triangles.size()) + " triangles");
 }
 
 } // namespace
@@ -37,7 +37,7 @@ saveTriangleMesh(const std::string& path,
     throw OutputFileException(path + ": ending '" + ending +
                               "' is not known; ply and vtk are");
   if (!cloud)
-    throw BadArgumentException(path + ": there is no cloud to write");
+    throw acmap::BadArgument(path + ": there is no cloud to write");
   const acmap::MeshColumns columns = acmap::sortColumns(cloud);
   requireConsistent(cloud.size(), mesh);
   acmap::OutputFile file(path);

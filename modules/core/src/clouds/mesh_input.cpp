@@ -1,5 +1,5 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/mesh_input.h>
-#include <pcl/exceptions.h>
 
 namespace pcl::acmap {
 
@@ -21,10 +21,11 @@ requireCornersInside(const TriangleMesh::Triangles& triangles, std::size_t point
   for (const TriangleMesh::Triangle& triangle : triangles)
     for (const std::int32_t corner : triangle)
       if (corner < 0 || static_cast<std::size_t>(corner) >= points)
-        PCL_THROW_EXCEPTION(InitFailedException,
-                            "the mesh has a corner "
-                                << corner << " outside of the input cloud of " << points
-                                << " points");
+        throw acmap::InitFailed("the mesh has a corner ",
+                                corner,
+                                " outside of the input cloud of ",
+                                points,
+                                " points");
 }
 
 } // namespace pcl::acmap

@@ -2,6 +2,7 @@
 #include "files/record_writer.h"
 #include "files/text_number.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/point_cloud_writer.h>
 
 #include <algorithm>
@@ -45,28 +46,28 @@ void
 requireWritable(const CloudRows& rows)
 {
   if (!rows)
-    throw BadArgumentException("there is no cloud to write");
+    throw acmap::BadArgument("there is no cloud to write");
   const PCLPointCloud2& cloud = rows.layout();
   const std::size_t points = rows.size();
   if (cloud.is_bigendian)
-    throw BadArgumentException("a big-endian cloud is not written");
+    throw acmap::BadArgument("a big-endian cloud is not written");
   if (cloud.point_step == 0 || rows.bytes() / cloud.point_step < points)
-    throw BadArgumentException("cloud has " + std::to_string(points) + " points of " +
-                               std::to_string(cloud.point_step) + " bytes but " +
-                               std::to_string(rows.bytes()) + " bytes of data");
+    throw acmap::BadArgument("cloud has " + std::to_string(points) + " points of " +
+                             std::to_string(cloud.point_step) + " bytes but " +
+                             std::to_string(rows.bytes()) + " bytes of data");
   std::set<std::string> names;
   for (const PCLPointField& field : cloud.fields) {
     const std::size_t bytes = acmap::sizeOfType(field.datatype) * field.count;
     if (bytes == 0 || field.offset + bytes > cloud.point_step)
-      throw BadArgumentException("field " + field.name + " lies outside the points");
+      throw acmap::BadArgument("field " + field.name + " lies outside the points");
     if (field.name != "_" &&
         (!isFieldName(field.name) || !names.insert(field.name).second))
-      throw BadArgumentException("a field with the name '" + field.name +
-                                 "' cannot be written, or stands twice");
+      throw acmap::BadArgument("a field with the name '" + field.name +
+                               "' cannot be written, or stands twice");
   }
   for (const char* name : {"x", "y", "z"})
     if (names.count(name) == 0)
-      throw BadArgumentException(std::string("cloud has no field ") + name);
+      throw acmap::BadArgument(std::string("cloud has no field ") + name);
 }
 
 /** \brief The header lines of the fields, and the moves that copy their bytes. */
@@ -104,7 +105,7 @@ textOfViewpoint(const Eigen::Vector3f& origin, const Eigen::Quaternionf& orienta
   constexpr float unit_slack = 1e-3F;
   if (!origin.allFinite() || !(std::abs(orientation.norm() - 1.0F) <=
                                unit_slack)) // the comparison is false for NaN
-    throw BadArgumentException("the sensor's pose is none");
+    throw acmap::BadArgument("the sensor's pose is none");
   std::string text = "VIEWPOINT";
   for (const float value : {origin.x(),
                             origin.y(),

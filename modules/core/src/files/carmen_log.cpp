@@ -1,4 +1,5 @@
 #include <pcl/core/carmen_log.h>
+#include <pcl/core/exceptions.h>
 
 #include "files/byte_source.h"
 #include "files/carmen_reader.h"
@@ -254,9 +255,8 @@ writeScan(const PlanarScan& scan, const PlanarPose& odometry, std::ostream& text
   setSweep(as_read);
   if (scan.ranges.size() < 2 || as_read.first_angle != scan.first_angle ||
       as_read.angle_step != scan.angle_step)
-    throw BadArgumentException(
-        "the beams of a scan do not sweep 180 degrees from right "
-        "to left, as those of a CARMEN log do");
+    throw acmap::BadArgument("the beams of a scan do not sweep 180 degrees from right "
+                             "to left, as those of a CARMEN log do");
   text << "FLASER " << scan.ranges.size();
   text.precision(std::numeric_limits<float>::max_digits10);
   for (const float range : scan.ranges)
@@ -275,9 +275,9 @@ saveCarmenLog(const std::string& path,
               const std::vector<PlanarPose>& odometry)
 {
   if (!odometry.empty() && odometry.size() != scans.size())
-    throw BadArgumentException(std::to_string(odometry.size()) +
-                               " poses of odometry for " +
-                               std::to_string(scans.size()) + " scans");
+    throw acmap::BadArgument(std::to_string(odometry.size()) +
+                             " poses of odometry for " + std::to_string(scans.size()) +
+                             " scans");
   acmap::OutputFile file(path);
   for (std::size_t i = 0; i < scans.size(); ++i) {
     std::ostringstream text;

@@ -1,6 +1,7 @@
 #include "files/rig_text.h"
 #include "files/text_number.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/file_format.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/rig_cameras.h>
@@ -170,7 +171,7 @@ acmap::rigCalibrationText(const TrinocularRig& rig, const RigCalibration& calibr
   requireSoundCalibration(calibration);
   const std::string fault = faultUnder(rig, calibration);
   if (!fault.empty())
-    throw BadArgumentException(fault);
+    throw acmap::BadArgument(fault);
   std::string text = rigText(rig);
   for (std::size_t i = 0; i < camera_keys.size(); ++i)
     if (calibration.cameras[i].is_there)

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/trajectory.h>
 
 #include "files/byte_source.h"
@@ -106,14 +107,14 @@ void
 acmap::requireTrajectory(const Trajectory& trajectory)
 {
   if (trajectory.stamps.size() != trajectory.poses.size())
-    throw BadArgumentException("a trajectory of " +
-                               std::to_string(trajectory.poses.size()) + " poses has " +
-                               std::to_string(trajectory.stamps.size()) + " stamps");
+    throw acmap::BadArgument("a trajectory of " +
+                             std::to_string(trajectory.poses.size()) + " poses has " +
+                             std::to_string(trajectory.stamps.size()) + " stamps");
   for (std::size_t i = 0; i < trajectory.poses.size(); ++i)
     if (!std::isfinite(trajectory.stamps[i]) || !isRigid(trajectory.poses[i]))
-      throw BadArgumentException("pose " + std::to_string(i) +
-                                 " of a trajectory is no rigid motion, or its stamp "
-                                 "is not finite");
+      throw acmap::BadArgument("pose " + std::to_string(i) +
+                               " of a trajectory is no rigid motion, or its stamp "
+                               "is not finite");
 }
 
 std::string

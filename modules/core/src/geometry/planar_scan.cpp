@@ -84,7 +84,7 @@ PlanarScanPoints
 pointsOf(const PlanarScan& scan)
 {
   if (!std::isfinite(scan.first_angle) || !std::isfinite(scan.angle_step))
-    throw BadArgumentException("the angles of a scan must be finite");
+    throw acmap::BadArgument("the angles of a scan must be finite");
   constexpr float none = std::numeric_limits<float>::quiet_NaN();
   const std::vector<Echo> echoes = echoesOf(scan);
   PlanarScanPoints points;

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/rig_calibration.h>
 
 #include "files/rig_text.h"
@@ -98,7 +99,7 @@ requireSoundCamera(const std::string& name,
   const std::string fault =
       acmap::faultOfPlace(camera.T_reference_camera, is_reference);
   if (!fault.empty())
-    throw BadArgumentException(name + ": pose " + fault);
+    throw acmap::BadArgument(name + ": pose " + fault);
 }
 
 } // namespace
@@ -164,7 +165,7 @@ requireSoundCalibration(const RigCalibration& calibration)
   acmap::requireInRange("width", calibration.width, 1, longest_side, "px");
   acmap::requireInRange("height", calibration.height, 1, longest_side, "px");
   if (!calibration.camera(RigCamera::Reference).is_there)
-    throw BadArgumentException("the rig has no reference camera");
+    throw acmap::BadArgument("the rig has no reference camera");
   for (std::size_t i = 0; i < calibration.cameras.size(); ++i)
     if (calibration.cameras[i].is_there)
       requireSoundCamera(acmap::camera_keys[i], calibration.cameras[i], i == 0);

@@ -1,9 +1,9 @@
 #include <pcl/core/impl/quantile.h>
 #include <pcl/core/trajectory_error.h>
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/rigid_alignment.h>
 #include <pcl/core/trajectory.h>
-#include <pcl/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +24,9 @@ void
 requireSameNumber(const std::vector<Pose>& found, const std::vector<Pose>& truth)
 {
   if (found.size() != truth.size())
-    throw BadArgumentException(std::to_string(found.size()) +
-                               " poses cannot be compared with " +
-                               std::to_string(truth.size()) + " true ones");
+    throw acmap::BadArgument(std::to_string(found.size()) +
+                             " poses cannot be compared with " +
+                             std::to_string(truth.size()) + " true ones");
 }
 
 void
@@ -34,8 +34,8 @@ requireRigid(const std::vector<Eigen::Isometry3d>& poses, const std::string& who
 {
   for (std::size_t i = 0; i < poses.size(); ++i)
     if (!isRigid(poses[i]))
-      throw BadArgumentException(whose + " pose " + std::to_string(i) +
-                                 " is no rigid motion");
+      throw acmap::BadArgument(whose + " pose " + std::to_string(i) +
+                               " is no rigid motion");
 }
 
 /** Error of a rigid motion. */
@@ -77,7 +77,7 @@ AbsoluteTrajectoryError
 trajectoryErrorOf(const Places<Dimension>& found, const Places<Dimension>& truth)
 {
   if (found.cols() == 0 || !found.allFinite() || !truth.allFinite())
-    throw BadArgumentException("a trajectory has no poses, or one that is not finite");
+    throw acmap::BadArgument("a trajectory has no poses, or one that is not finite");
   const Places<Dimension> from = found.colwise() - found.rowwise().mean();
   const Places<Dimension> to = truth.colwise() - truth.rowwise().mean();
   return {rootMeanSquare<Dimension>(found - truth),
@@ -109,7 +109,7 @@ MotionError
 motionError(const Eigen::Isometry3d& found, const Eigen::Isometry3d& truth)
 {
   if (!isRigid(found) || !isRigid(truth))
-    throw BadArgumentException("what is no rigid motion cannot be compared");
+    throw acmap::BadArgument("what is no rigid motion cannot be compared");
   return errorOf(found, truth);
 }
 
@@ -152,7 +152,7 @@ relativePoseError(const std::vector<Eigen::Isometry3d>& found,
 {
   requireSameNumber(found, truth);
   if (step == 0)
-    throw BadArgumentException("step = 0 is refused: a pose moves from another one");
+    throw acmap::BadArgument("step = 0 is refused: a pose moves from another one");
   requireRigid(found, "found");
   requireRigid(truth, "true");
   std::vector<MotionError> errors;

@@ -1,6 +1,7 @@
 #include "files/byte_source.h"
 #include "images/image_codecs.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/image_file.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/output_file.h>
@@ -41,10 +42,10 @@ requireImageValues(std::int32_t width,
           ? static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height)
           : 0;
   if (pixels == 0 || pixels > max_pixels || values != channels * pixels)
-    throw BadArgumentException("an image of " + sizeText(width, height) +
-                               " pixels with " + std::to_string(values) +
-                               " values: " + std::to_string(channels) +
-                               " a pixel are needed, and 1 to 2^28 pixels");
+    throw acmap::BadArgument("an image of " + sizeText(width, height) +
+                             " pixels with " + std::to_string(values) +
+                             " values: " + std::to_string(channels) +
+                             " a pixel are needed, and 1 to 2^28 pixels");
 }
 
 void

@@ -1,5 +1,6 @@
 #include "images/image_codecs.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>
 
 #include <turbojpeg.h>
@@ -100,11 +101,11 @@ encodeJpeg(const RgbImage& image, int quality)
 {
   acmap::requireWholeImage(image);
   if (quality < 1 || quality > 100)
-    throw BadArgumentException("quality of a JPEG is " + std::to_string(quality) +
-                               ", 1 to 100 are legal");
+    throw acmap::BadArgument("quality of a JPEG is " + std::to_string(quality) +
+                             ", 1 to 100 are legal");
   if (image.width > longest_side || image.height > longest_side)
-    throw BadArgumentException("an image of " + acmap::sizeText(image) +
-                               " pixels is no JPEG, whose sides end at 65500");
+    throw acmap::BadArgument("an image of " + acmap::sizeText(image) +
+                             " pixels is no JPEG, whose sides end at 65500");
   const Handle handle = made(tjInitCompress());
   std::uint8_t* bytes = nullptr;
   unsigned long size = 0;
@@ -121,8 +122,8 @@ encodeJpeg(const RgbImage& image, int quality)
                                  TJFLAG_ACCURATEDCT | TJFLAG_PROGRESSIVE);
   const std::unique_ptr<std::uint8_t, Free> owner(bytes);
   if (result != 0)
-    throw BadArgumentException(std::string("image cannot be a JPEG: ") +
-                               tjGetErrorStr2(handle.get()));
+    throw acmap::BadArgument(std::string("image cannot be a JPEG: ") +
+                             tjGetErrorStr2(handle.get()));
   return {bytes, bytes + size};
 }
 

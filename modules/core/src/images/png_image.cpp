@@ -1,5 +1,7 @@
 #include "images/image_codecs.h"
 
+#include <pcl/core/exceptions.h>
+
 #include <png.h>
 
 #include <algorithm>
@@ -232,7 +234,7 @@ encodeRows(std::int32_t width,
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
   std::vector<std::uint8_t> bytes(size);
   if (!png_image_write_to_memory(&header, bytes.data(), &size, 0, values, 0, nullptr))
-    throw BadArgumentException(std::string("image cannot be a PNG: ") + header.message);
+    throw acmap::BadArgument(std::string("image cannot be a PNG: ") + header.message);
   bytes.resize(size);
   return bytes;
 }

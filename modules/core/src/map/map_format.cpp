@@ -2,10 +2,10 @@
 
 #include "files/trajectory_text.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/chart_clip.h>
 #include <pcl/core/impl/map_check.h>
 #include <pcl/core/impl/size_text.h>
-#include <pcl/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 [[noreturn]] void
 refuse(const std::string& what, std::size_t index, const std::string& fault)
 {
-  throw BadArgumentException(what + " " + std::to_string(index) + " of a map " + fault);
+  throw acmap::BadArgument(what + " " + std::to_string(index) + " of a map " + fault);
 }
 
 void
@@ -354,12 +354,12 @@ void
 requireConsistent(const CompactMap& map)
 {
   if (const std::string fault = faultOfExposure(map.exposure); !fault.empty())
-    throw BadArgumentException("exposure = " + std::to_string(map.exposure) +
-                               " of a map " + fault);
+    throw acmap::BadArgument("exposure = " + std::to_string(map.exposure) +
+                             " of a map " + fault);
   if (const std::string fault = faultOfUp(map.up); !fault.empty())
-    throw BadArgumentException("the up direction of a map " + fault);
+    throw acmap::BadArgument("the up direction of a map " + fault);
   if (!map.shift.allFinite())
-    throw BadArgumentException("the shift of a map is not finite");
+    throw acmap::BadArgument("the shift of a map is not finite");
   for (std::size_t i = 0; i < map.planes.size(); ++i)
     requirePlane(map.planes[i], i);
   for (std::size_t i = 0; i < map.cylinders.size(); ++i)
@@ -384,7 +384,7 @@ requireConsistent(const CompactMap& map)
   }
   if (!map.cylinder_pictures.empty() &&
       map.cylinder_pictures.size() != map.cylinders.size())
-    throw BadArgumentException(
+    throw acmap::BadArgument(
         "a map of " + std::to_string(map.cylinders.size()) + " cylinders has " +
         std::to_string(map.cylinder_pictures.size()) + " pictures of them");
   for (std::size_t i = 0; i < map.cylinder_pictures.size(); ++i) {
@@ -392,9 +392,9 @@ requireConsistent(const CompactMap& map)
     addTexels("the picture of cylinder", i, map.cylinder_pictures[i]);
   }
   if (!map.observations.empty() && map.observations.size() != map.planes.size())
-    throw BadArgumentException("a map of " + std::to_string(map.planes.size()) +
-                               " planes has observations of " +
-                               std::to_string(map.observations.size()));
+    throw acmap::BadArgument("a map of " + std::to_string(map.planes.size()) +
+                             " planes has observations of " +
+                             std::to_string(map.observations.size()));
   for (std::size_t i = 0; i < map.observations.size(); ++i)
     requireObservations(map, i);
   requireRooms(map);

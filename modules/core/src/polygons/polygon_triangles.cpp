@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/polygon_triangles.h>
 
 #include "polygons/polygon_ring.h"
@@ -268,7 +269,7 @@ TriangleMesh::Triangles
 trianglesOfPolygon(const PlanePolygon& polygon, const Eigen::Vector3d& normal)
 {
   if (!normal.allFinite() || normal.isZero(0))
-    throw BadArgumentException("the normal of a polygon is zero or not finite");
+    throw acmap::BadArgument("the normal of a polygon is zero or not finite");
   acmap::PolygonRings rings = acmap::ringsOf(polygon, normal);
   if (rings.rim < 0)
     return {};

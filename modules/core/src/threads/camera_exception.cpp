@@ -22,7 +22,7 @@ nameOf(CameraFault fault)
 }
 
 CameraException::CameraException(CameraFault fault, const std::string& message)
-: IOException(message)
+: Plain(message)
 , fault_(fault)
 {}
 

@@ -364,8 +364,8 @@ ScratchMemory::ScratchMemory(const std::string& folder,
                              std::size_t of_process)
 {
   if (resident < acmap::min_resident)
-    throw BadArgumentException("scratch memory needs at least 16 MB, " +
-                               std::to_string(resident) + " bytes were given");
+    throw acmap::BadArgument("scratch memory needs at least 16 MB, " +
+                             std::to_string(resident) + " bytes were given");
   const int file = acmap::openNameless(folder);
   if (file < 0)
     throw OutputFileException(folder + ": " + std::strerror(errno));

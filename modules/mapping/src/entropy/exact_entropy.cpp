@@ -1,5 +1,7 @@
 #include "exact_entropy.h"
 
+#include <pcl/core/exceptions.h>
+
 #include "point_weights.h"
 
 #include <oneapi/tbb/parallel_for.h>
@@ -245,7 +247,7 @@ ExactEntropyEvaluator::evaluate(const std::vector<PlanarPose>& poses,
                                 MapEntropyReport& report)
 {
   if (poses.size() != observations_.size())
-    throw BadArgumentException("each observation needs one pose");
+    throw acmap::BadArgument("each observation needs one pose");
   for (const PlanarPose& pose : poses)
     requirePlanarPose(pose);
   addCounts(counts_, report);

@@ -2,6 +2,7 @@
 #include "map_extent.h"
 #include "moving_cells.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/mapping/impl/map_entropy_kernel.h>
 
@@ -77,7 +78,7 @@ MapEntropyEvaluator::evaluate(const std::vector<PlanarPose>& poses,
   const std::vector<MovingCells>& observations = state_->observations;
   const std::size_t size = observations.size();
   if (poses.size() != size)
-    throw BadArgumentException("each observation needs one pose");
+    throw acmap::BadArgument("each observation needs one pose");
   for (const PlanarPose& pose : poses)
     requirePlanarPose(pose);
   addCounts(state_->counts, report);

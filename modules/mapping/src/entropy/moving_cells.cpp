@@ -2,7 +2,7 @@
 
 #include "wall_direction.h"
 
-#include <pcl/exceptions.h>
+#include <pcl/core/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ requireCell(const EntropyCell& cell)
   const double farthest = 2.0 * static_cast<double>(entropy_reach);
   if (!(std::abs(cell.x) <= farthest && std::abs(cell.z) <= farthest &&
         cell.weight >= 0 && cell.weight < std::numeric_limits<float>::max()))
-    throw BadArgumentException(
+    throw acmap::BadArgument(
         "a cell of an observation must be finite and have no negative weight");
 }
 

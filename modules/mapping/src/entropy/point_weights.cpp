@@ -1,7 +1,7 @@
 #include "point_weights.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
-#include <pcl/exceptions.h>
 #include <pcl/mapping/impl/map_entropy_kernel.h>
 
 #include <algorithm>
@@ -48,9 +48,9 @@ void
 requirePointWeights(const std::vector<float>& weights, std::size_t points)
 {
   if (!weights.empty() && weights.size() != points)
-    throw BadArgumentException("a cloud of " + std::to_string(points) +
-                               " points needs as many weights or none, not " +
-                               std::to_string(weights.size()));
+    throw acmap::BadArgument("a cloud of " + std::to_string(points) +
+                             " points needs as many weights or none, not " +
+                             std::to_string(weights.size()));
   requireFiniteWeights(weights.data(), weights.size());
 }
 
@@ -58,8 +58,8 @@ void
 requireObservation(std::size_t number, std::size_t observations)
 {
   if (number >= observations)
-    throw BadArgumentException("there is no observation " + std::to_string(number) +
-                               ", only " + std::to_string(observations));
+    throw acmap::BadArgument("there is no observation " + std::to_string(number) +
+                             ", only " + std::to_string(observations));
 }
 
 } // namespace pcl::acmap

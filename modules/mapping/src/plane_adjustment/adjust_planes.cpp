@@ -8,8 +8,8 @@
 #include "surface_floor.h"
 #include "view_pieces.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/quantile.h>
-#include <pcl/exceptions.h>
 #include <pcl/mapping/impl/plane_adjustment_kernel.h>
 
 #include <oneapi/tbb/parallel_for.h>
@@ -402,10 +402,9 @@ requireViews(const std::vector<RevisitConstraint>& revisits, std::size_t views)
 {
   for (const RevisitConstraint& revisit : revisits)
     if (revisit.earlier >= revisit.later || revisit.later >= views)
-      throw BadArgumentException("there are no views " +
-                                 std::to_string(revisit.earlier) + " and " +
-                                 std::to_string(revisit.later) + " among " +
-                                 std::to_string(views) + ", the earlier one first");
+      throw acmap::BadArgument("there are no views " + std::to_string(revisit.earlier) +
+                               " and " + std::to_string(revisit.later) + " among " +
+                               std::to_string(views) + ", the earlier one first");
 }
 
 } // namespace
@@ -419,7 +418,7 @@ adjustPlanes(const AdjustedViewReader& read,
 {
   if (!settings.action_covariances.empty() &&
       settings.action_covariances.size() + 1 != poses.size())
-    throw BadArgumentException("each action needs one covariance");
+    throw acmap::BadArgument("each action needs one covariance");
   requireViews(settings.revisits, poses.size());
   StepTimer timer(report);
   report.views = poses.size();

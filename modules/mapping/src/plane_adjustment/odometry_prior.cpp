@@ -1,5 +1,6 @@
 #include "odometry_prior.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 
 #include <Eigen/Cholesky>
@@ -45,8 +46,8 @@ requireActionCovariance(const ActionCovariance& covariance)
       (covariance - covariance.transpose()).cwiseAbs().maxCoeff() >
           tolerance * covariance.cwiseAbs().maxCoeff() ||
       covariance.llt().info() != Eigen::Success)
-    throw BadArgumentException("the covariance of an action must be symmetric and "
-                               "positive definite, in rad^2 and m^2");
+    throw acmap::BadArgument("the covariance of an action must be symmetric and "
+                             "positive definite, in rad^2 and m^2");
 }
 
 Eigen::Isometry3d

@@ -1,6 +1,6 @@
 #include "rectification_steps.h"
 
-#include <pcl/exceptions.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/mapping/impl/rectification_kernel.h>
 
 #include <algorithm>
@@ -119,7 +119,7 @@ rectify(const std::vector<LevelledPoints>& observations,
         EntropyRectificationReport& report)
 {
   if (poses.size() != observations.size())
-    throw BadArgumentException("each observation needs one pose");
+    throw acmap::BadArgument("each observation needs one pose");
   count(observations, report);
   const RectificationTask task{observations, settings, progress, report};
   EntropySearch search(task);

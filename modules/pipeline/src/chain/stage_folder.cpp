@@ -113,7 +113,7 @@ toldIn(const StageNotes& notes)
     return Json::object();
   Json told = Json::parse(notes.told, nullptr, false);
   if (!told.is_object())
-    throw BadArgumentException("what is told of a stage is no JSON object");
+    throw acmap::BadArgument("what is told of a stage is no JSON object");
   return told;
 }
 

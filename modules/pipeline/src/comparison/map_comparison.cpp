@@ -1,5 +1,6 @@
 #include "comparison/plane_overlap.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/planar_pose.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/pipeline/map_comparison.h>
@@ -25,7 +26,7 @@ truePosesOf(const MappedTrajectory& trajectory, const SessionTruth& truth)
   if (trajectory.observations.empty() ||
       trajectory.before.size() != trajectory.observations.size() ||
       trajectory.after.size() != trajectory.observations.size())
-    throw BadArgumentException(
+    throw acmap::BadArgument(
         "a way has " + std::to_string(trajectory.observations.size()) +
         " observations, " + std::to_string(trajectory.before.size()) +
         " poses before and " + std::to_string(trajectory.after.size()) +

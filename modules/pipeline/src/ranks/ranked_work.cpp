@@ -34,7 +34,7 @@ throwFault(RankAnswer answer, ByteParcel& parcel)
   case RankAnswer::MemoryFault:
     throw std::bad_alloc();
   default:
-    throw IOException(text);
+    throw acmap::IoFault(text);
   }
 }
 
@@ -136,7 +136,7 @@ RankedWork::nextMerged()
     return std::nullopt;
   std::optional<ByteParcel> parcel = next();
   if (!parcel)
-    throw IOException("a process has merged nothing");
+    throw acmap::IoFault("a process has merged nothing");
   acmap::MergedRows merged;
   for (auto poses = parcel->take<std::size_t>(); poses > 0; --poses)
     merged.poses.push_back(takePose(*parcel));

@@ -53,7 +53,7 @@ private:
       if (request == RankRequest::Begin)
         return begin(parcel);
       if (!begin_fault_.empty())
-        throw IOException(begin_fault_);
+        throw acmap::IoFault(begin_fault_);
       if (request == RankRequest::Merge)
         merge(parcel);
       else if (request == RankRequest::SumCells)

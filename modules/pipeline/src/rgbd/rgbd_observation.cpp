@@ -29,9 +29,11 @@ requireComplete(const Image& image, const Values& values, std::size_t channels)
   const bool is_sound = image.width > 0 && image.height > 0;
   if (!is_sound || values.size() != channels * static_cast<std::size_t>(image.width) *
                                         static_cast<std::size_t>(image.height))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "an image of " << acmap::sizeText(image) << " pixels has "
-                                       << values.size() << " values");
+    throw acmap::BadArgument("an image of ",
+                             acmap::sizeText(image),
+                             " pixels has ",
+                             values.size(),
+                             " values");
 }
 
 /** \brief The points of an image.
@@ -62,9 +64,11 @@ void
 requireCamera(const Pinhole& camera)
 {
   if (!(camera.fx > 0 && camera.fy > 0))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "the focal length of a camera is "
-                            << camera.fx << ", " << camera.fy << ": it must exceed 0");
+    throw acmap::BadArgument("the focal length of a camera is ",
+                             camera.fx,
+                             ", ",
+                             camera.fy,
+                             ": it must exceed 0");
 }
 
 /** A row of the cloud. */
@@ -182,9 +186,11 @@ observationCloud(const RgbImage& color, const std::vector<Eigen::Vector3f>& poin
 {
   requireComplete(color, color.values, 3);
   if (3 * points.size() != color.values.size())
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "there are " << points.size() << " points for an image of "
-                                     << acmap::sizeText(color) << " pixels");
+    throw acmap::BadArgument("there are ",
+                             points.size(),
+                             " points for an image of ",
+                             acmap::sizeText(color),
+                             " pixels");
   std::vector<Pixel> pixels = pixelsWithoutPoint(color);
   for (std::size_t i = 0; i < pixels.size(); ++i)
     if (points[i].z() > 0)

@@ -1,4 +1,5 @@
 #include <pcl/conversions.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/rig_cameras.h>
 #include <pcl/pipeline/observation_files.h>
@@ -17,7 +18,7 @@ const FrameReader&
 required(const std::shared_ptr<const FrameReader>& frames)
 {
   if (!frames)
-    throw BadArgumentException("there are no frames");
+    throw acmap::BadArgument("there are no frames");
   return *frames;
 }
 

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/rig_cameras.h>
 #include <pcl/pipeline/session_source.h>
@@ -59,7 +60,7 @@ disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest)
   // the conversion between depth and disparity is its own inverse
   const double from = std::floor(depthOf(rig, farthest)) - 1.0;
   if (from > longest)
-    throw BadArgumentException(
+    throw acmap::BadArgument(
         "at " + threeDigits(farthest) + " m disparities are longer than the image, " +
         std::to_string(static_cast<long>(longest)) + " px; the rig's baseline is " +
         threeDigits(disparityBaseline(rig)) + " m");
@@ -81,9 +82,9 @@ setUpStereo(const TrinocularRig& rig,
   const double nearest = settings.projection.getMinimumDepth();
   const double farthest = settings.projection.getMaximumDepth();
   if (nearest >= farthest)
-    throw BadArgumentException("the minimum depth " + threeDigits(nearest) +
-                               " m is not below the maximum depth " +
-                               threeDigits(farthest) + " m");
+    throw acmap::BadArgument("the minimum depth " + threeDigits(nearest) +
+                             " m is not below the maximum depth " +
+                             threeDigits(farthest) + " m");
   const SearchRange range = disparitiesBetween(rig, nearest, farthest);
   if (cost)
     cost(std::to_string(range.count) + " disparities of " + sizeText(rig) + " pixels",

@@ -1,5 +1,6 @@
 #include "camera_rays.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/rig_cameras.h>
 
@@ -37,8 +38,8 @@ pinholeAround(const std::vector<Eigen::Vector2d>& slopes, double focal_length)
       maximum = maximum.max(slope.array());
     }
   if (!(minimum <= maximum).all())
-    throw BadArgumentException("a camera whose pixels look nowhere: its distortion has "
-                               "no inverse");
+    throw acmap::BadArgument("a camera whose pixels look nowhere: its distortion has "
+                             "no inverse");
   TrinocularRig pinhole;
   pinhole.focal_length =
       std::min(focal_length, longest_side / (maximum - minimum).maxCoeff());

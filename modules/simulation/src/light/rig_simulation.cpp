@@ -21,10 +21,9 @@ requireCameras(const RigRays& cameras, const TrinocularRig& rig)
   for (std::size_t i = 0; i < cameras.size(); ++i)
     if (cameras[i].width != expected[i].width ||
         cameras[i].height != expected[i].height)
-      throw BadArgumentException(
-          "a camera of " + sizeText(cameras[i]) +
-          " pixels is refused: the rig of the scene has one of " +
-          sizeText(expected[i]) + " pixels (0: none) there");
+      throw acmap::BadArgument("a camera of " + sizeText(cameras[i]) +
+                               " pixels is refused: the rig of the scene has one of " +
+                               sizeText(expected[i]) + " pixels (0: none) there");
 }
 
 void
@@ -34,9 +33,9 @@ requirePattern(const RgbImage& pattern, const SimulatedProjector& projector)
                              static_cast<std::size_t>(projector.height);
   if (pattern.width != projector.width || pattern.height != projector.height ||
       pattern.values.size() != values)
-    throw BadArgumentException("a pattern of " + sizeText(pattern) +
-                               " pixels is refused: the projector has " +
-                               sizeText(projector) + " pixels");
+    throw acmap::BadArgument("a pattern of " + sizeText(pattern) +
+                             " pixels is refused: the projector has " +
+                             sizeText(projector) + " pixels");
 }
 
 } // namespace
@@ -62,8 +61,8 @@ LitViews
 RigSimulation::cast(std::size_t observation) const
 {
   if (observation >= scene_.views.size())
-    throw BadArgumentException("scene '" + scene_.name + "' has no view " +
-                               std::to_string(observation));
+    throw acmap::BadArgument("scene '" + scene_.name + "' has no view " +
+                             std::to_string(observation));
   const Eigen::Isometry3d& T_scene_reference = scene_.views[observation];
   const PlacedProjector projector(scene_.geometry,
                                   light_.projector,

@@ -1,6 +1,7 @@
 #include "board_views.h"
 #include "opencv_values.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/quantile.h>
 #include <pcl/stereo/rig_calibrator.h>
 
@@ -32,10 +33,9 @@ void
 requireEnough(const std::string& name, std::size_t views)
 {
   if (views < RigCalibrator::min_boards)
-    throw InitFailedException("the " + name + " camera has " + std::to_string(views) +
-                              " good boards, at least " +
-                              std::to_string(RigCalibrator::min_boards) +
-                              " are needed");
+    throw acmap::InitFailed("the " + name + " camera has " + std::to_string(views) +
+                            " good boards, at least " +
+                            std::to_string(RigCalibrator::min_boards) + " are needed");
 }
 
 namespace {
@@ -102,8 +102,8 @@ fitOrFail(const CalibrationBoard& board,
     requireMemoryWasThere(error);
     // The exception below says what to do.
   }
-  throw InitFailedException("the boards do not tell the focal length of the " + name +
-                            " camera: hold them at different tilts and distances");
+  throw acmap::InitFailed("the boards do not tell the focal length of the " + name +
+                          " camera: hold them at different tilts and distances");
 }
 
 } // namespace

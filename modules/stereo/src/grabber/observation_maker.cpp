@@ -1,5 +1,7 @@
 #include "grabber/observation_maker.h"
 
+#include <pcl/core/exceptions.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -47,7 +49,7 @@ void
 ObservationMaker::take(const TrinocularFrame::ConstPtr& frame)
 {
   if (!frame)
-    throw BadArgumentException("the frame grabber gave a frame that is none");
+    throw acmap::BadArgument("the frame grabber gave a frame that is none");
   {
     const std::lock_guard lock(mutex_);
     ++report_.frames;

@@ -1,5 +1,6 @@
 #include "common_view.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 
 #include <algorithm>
@@ -31,12 +32,12 @@ along(const CameraCalibration& neighbour, const Eigen::Vector3d& axis, const cha
 {
   const Eigen::Vector3d baseline = neighbour.T_reference_camera.translation();
   if (!(baseline.norm() > 1e-6))
-    throw BadArgumentException(std::string("the ") + name +
-                               " camera stands in the reference camera's place");
+    throw acmap::BadArgument(std::string("the ") + name +
+                             " camera stands in the reference camera's place");
   const Eigen::Vector3d direction = baseline.normalized();
   const double cosine = direction.dot(axis);
   if (!(std::abs(cosine) > min_cosine))
-    throw BadArgumentException(
+    throw acmap::BadArgument(
         std::string("the ") + name +
         " camera does not stand beside the reference in the direction of its name: the "
         "baseline is more than 60 degrees off");
@@ -62,10 +63,10 @@ commonRotation(const RigCalibration& calibration)
     x = y.cross(forward);
   const Eigen::Vector3d across = x.cross(y);
   if (!(std::abs(x.normalized().dot(y.normalized())) < min_cosine))
-    throw BadArgumentException("the two baselines are less than 60 degrees apart");
+    throw acmap::BadArgument("the two baselines are less than 60 degrees apart");
   const Eigen::Vector3d z = across.normalized();
   if (!(z.dot(forward) > min_cosine))
-    throw BadArgumentException("the cameras do not look across their baselines");
+    throw acmap::BadArgument("the cameras do not look across their baselines");
   // A single pair keeps its own baseline exactly.
   if (!horizontal.is_there)
     x = y.cross(z).normalized();
@@ -90,8 +91,8 @@ seenAt(const CameraCalibration& camera,
 {
   const Eigen::Vector3d ray = R_common_camera * pixelRay(camera, {column, row});
   if (!(ray.z() > 0.05))
-    throw BadArgumentException("the edge of an image has no ray: the distortion has no "
-                               "inverse there, or the camera is turned too far");
+    throw acmap::BadArgument("the edge of an image has no ray: the distortion has no "
+                             "inverse there, or the camera is turned too far");
   return ray.hnormalized();
 }
 
@@ -124,7 +125,7 @@ setPinhole(const CommonBounds& window, TrinocularRig& rig)
   const Eigen::Vector2d extent = window.maximum - window.minimum;
   const Eigen::Vector2d pixels(rig.width - 1, rig.height - 1);
   if (!(extent.minCoeff() > 0.01))
-    throw BadArgumentException("the cameras' views have no common part");
+    throw acmap::BadArgument("the cameras' views have no common part");
   rig.focal_length = pixels.cwiseQuotient(extent).maxCoeff();
   const Eigen::Vector2d middle = 0.5 * (window.minimum + window.maximum);
   rig.center_x = 0.5 * pixels.x() - rig.focal_length * middle.x();
@@ -140,7 +141,7 @@ commonViewOf(const RigCalibration& calibration)
   const CameraCalibration& vertical = calibration.camera(RigCamera::Vertical);
   if (!calibration.camera(RigCamera::Reference).is_there ||
       !(horizontal.is_there || vertical.is_there))
-    throw BadArgumentException(
+    throw acmap::BadArgument(
         "a rig needs its reference camera and at least one neighbour");
   requireSoundCalibration(calibration);
   requireInRange("width", calibration.width, 2, 32768, "px");

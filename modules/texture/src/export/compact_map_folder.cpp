@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/texture/compact_map_folder.h>
 
@@ -45,7 +46,7 @@ requireWholeCharts(const CompactMap& map)
     if (colors.values.size() == 3 * texels && kinds.size() == texels)
       continue;
     const std::size_t charts = map.charts.size();
-    throw BadArgumentException(
+    throw acmap::BadArgument(
         (i < charts ? "chart " + std::to_string(i)
                     : "the picture of cylinder " + std::to_string(i - charts)) +
         " of a map has " + std::to_string(colors.values.size()) +
@@ -212,12 +213,11 @@ saveCompactMap(const std::string& folder,
                const CompactMapOutputs& outputs)
 {
   if (outputs.jpeg_quality < 1 || outputs.jpeg_quality > 100)
-    throw BadArgumentException(
-        "jpeg_quality = " + std::to_string(outputs.jpeg_quality) +
-        " is refused: it must be within [1, 100]");
+    throw acmap::BadArgument("jpeg_quality = " + std::to_string(outputs.jpeg_quality) +
+                             " is refused: it must be within [1, 100]");
   constexpr double maximum_tolerance = 255;
   if (!(outputs.color_tolerance >= 0 && outputs.color_tolerance <= maximum_tolerance))
-    throw BadArgumentException(
+    throw acmap::BadArgument(
         "color_tolerance = " + std::to_string(outputs.color_tolerance) +
         " is refused: it must be within [0, 255]");
   acmap::requireConsistent(map);

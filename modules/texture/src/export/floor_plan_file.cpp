@@ -64,8 +64,8 @@ saveFloorPlan(const std::string& path, const FloorPlan& plan)
   else if (ending == ".geojson")
     text = acmap::geoJsonOf(plan);
   else
-    throw BadArgumentException(path +
-                               ": a floor plan is written as .svg, .dxf or .geojson");
+    throw acmap::BadArgument(path +
+                             ": a floor plan is written as .svg, .dxf or .geojson");
   acmap::OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();

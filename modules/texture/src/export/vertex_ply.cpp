@@ -2,6 +2,7 @@
 #include "texturing/canvas_surface.h"
 
 #include <pcl/PCLPointField.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/mesh_file.h>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ struct VertexGrid {
   appendVertex(const Eigen::Vector3f& place, const std::uint8_t* color)
   {
     if (vertices == maximum)
-      throw BadArgumentException("a map has more than 2^28 - 1 texels for map.ply");
+      throw acmap::BadArgument("a map has more than 2^28 - 1 texels for map.ply");
     const std::uint8_t packed[4] = {color[2], color[1], color[0], 255};
     data.resize(data.size() + step);
     std::memcpy(&data[vertices * step], place.data(), 12);

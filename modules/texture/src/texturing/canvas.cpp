@@ -147,8 +147,8 @@ canvasesOf(const std::vector<PlanePatch>& planes,
 {
   const Grids grids = gridsOf(planes, texel_size);
   if (texelsOf(grids, cylinders, texel_size) > max_texels)
-    throw BadArgumentException("the charts have more than 2^28 texels: choose larger "
-                               "ones");
+    throw acmap::BadArgument("the charts have more than 2^28 texels: choose larger "
+                             "ones");
   std::vector<Canvas> canvases;
   auto grid = grids.begin();
   for (std::size_t p = 0; p < planes.size(); ++p)

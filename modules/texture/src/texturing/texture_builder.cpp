@@ -1,6 +1,7 @@
 #include "texturing/canvas_painting.h"
 #include "texturing/intensity_greys.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/texture/impl/texturing_kernel.h>
 
@@ -239,7 +240,7 @@ TextureBuilder::join(ByteParcel& parcel, Trajectory& trajectory)
   }
   const auto c = parcel.take<std::size_t>();
   if (c >= state.canvases.size())
-    throw IOException("what another process has painted is of other surfaces");
+    throw acmap::IoFault("what another process has painted is of other surfaces");
   Canvas& canvas = state.canvases[c];
   const auto first = static_cast<std::int32_t>(state.first_joined);
   while (part == PaintedPart::Views && parcel.left() > 0)
@@ -247,7 +248,7 @@ TextureBuilder::join(ByteParcel& parcel, Trajectory& trajectory)
   while (parcel.left() > 0) {
     const auto texel = parcel.take<std::size_t>();
     if (texel >= canvas.mask.size())
-      throw IOException("what another process has painted is of other surfaces");
+      throw acmap::IoFault("what another process has painted is of other surfaces");
     if (part == PaintedPart::Samples)
       joinSamples(parcel.take<Canvas::Samples>(), first, texel, canvas);
     else

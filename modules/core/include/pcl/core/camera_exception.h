@@ -29,7 +29,7 @@ nameOf(CameraFault fault);
 
 /** \brief Thrown when a camera cannot be opened, configured or read. The message names
  * the camera, the fault and, where possible, a remedy. \ingroup core */
-class ACMAP_EXPORT CameraException : public IOException {
+class ACMAP_EXPORT CameraException : public acmap::Plain<IOException> {
 public:
   CameraException(CameraFault fault, const std::string& message);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
 #include <pcl/core/fields.h>
 #include <pcl/core/report.h>
@@ -198,7 +199,7 @@ private:
   placesOf(const typename PointCloud<PointT>::ConstPtr& cloud)
   {
     if (!cloud)
-      throw BadArgumentException("a cloud is missing");
+      throw acmap::BadArgument("a cloud is missing");
     Places places;
     places.reserve(cloud->size());
     for (const PointT& point : *cloud)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/conversions.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/stage_controls.h>
@@ -321,7 +322,7 @@ void
 PlaneMapping::setInputCloud(const std::shared_ptr<const PointCloud<PointT>>& cloud)
 {
   if (!cloud)
-    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud is a null pointer");
+    throw acmap::InitFailed("the input cloud is a null pointer");
   const auto file = std::make_shared<PointCloudFile>();
   toPCLPointCloud2(*cloud, file->cloud);
   file->sensor_origin = cloud->sensor_origin_.template head<3>();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/exceptions.h>
+#include <pcl/core/exceptions.h>
 
 #include <Eigen/Core>
 
@@ -18,7 +18,7 @@ refuseArgument(const std::string& name, double value, const std::string& legal)
 {
   std::ostringstream text;
   text << name << " = " << value << " is refused: it must be " << legal;
-  throw BadArgumentException(text.str());
+  throw acmap::BadArgument(text.str());
 }
 
 /** \brief Checks that a value is finite and in [least, most].
@@ -55,7 +55,7 @@ requiredDirection(const Eigen::Vector3d& up)
 {
   const double largest = up.cwiseAbs().maxCoeff();
   if (!up.allFinite() || !(largest > 0))
-    throw BadArgumentException("the up direction must be finite and not zero");
+    throw acmap::BadArgument("the up direction must be finite and not zero");
   return (up / largest).normalized();
 }
 

@@ -110,7 +110,7 @@ private:
   requireLeft(std::size_t count, std::size_t bytes) const
   {
     if (count > left() / bytes)
-      throw IOException("a message of another process ends early");
+      throw acmap::IoFault("a message of another process ends early");
   }
 
   Bytes bytes_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/exceptions.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/point_cloud.h>
 
 namespace pcl::acmap {
@@ -16,18 +16,23 @@ void
 requireInput(const typename PointCloud<PointT>::ConstPtr& input, const Indices* indices)
 {
   if (!input)
-    PCL_THROW_EXCEPTION(InitFailedException, "no input cloud was set");
+    throw acmap::InitFailed("no input cloud was set");
   if (std::size_t{input->width} * input->height > input->size())
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        "the cloud claims " << input->width << " x " << input->height
-                                            << " points and has " << input->size());
+    throw acmap::InitFailed("the cloud claims ",
+                            input->width,
+                            " x ",
+                            input->height,
+                            " points and has ",
+                            input->size());
   if (!indices)
     return;
   for (const index_t index : *indices)
     if (index < 0 || static_cast<std::size_t>(index) >= input->size())
-      PCL_THROW_EXCEPTION(InitFailedException,
-                          "index " << index << " is outside of the input cloud of "
-                                   << input->size() << " points");
+      throw acmap::InitFailed("index ",
+                              index,
+                              " is outside of the input cloud of ",
+                              input->size(),
+                              " points");
 }
 
 } // namespace pcl::acmap

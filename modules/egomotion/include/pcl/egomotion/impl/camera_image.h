@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/common/point_tests.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/input_check.h>
 #include <pcl/egomotion/impl/keypoint_kernel.h>
 #include <pcl/point_cloud.h>
@@ -22,10 +23,13 @@ requireImage(const typename PointCloud<PointT>::ConstPtr& cloud, const Indices* 
   requireInput<PointT>(cloud, indices);
   const std::size_t pixels = std::size_t{cloud->width} * cloud->height;
   if (pixels != cloud->size() || (!cloud->empty() && !cloud->isOrganized()))
-    PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
-                        "a cloud of " << cloud->size() << " points, " << cloud->width
-                                      << " x " << cloud->height
-                                      << ", is no image: it must be organized");
+    throw acmap::Unorganized("a cloud of ",
+                             cloud->size(),
+                             " points, ",
+                             cloud->width,
+                             " x ",
+                             cloud->height,
+                             ", is no image: it must be organized");
 }
 
 /** \brief One value per pixel, not 0 if the pixel is among the indices and finite. */

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/egomotion/impl/visual_egomotion.hpp>
@@ -29,7 +30,7 @@ void
 RevisitDetection<PointT>::compute()
 {
   if (loaders_.empty())
-    PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
+    throw acmap::InitFailed("no point cloud was added");
   RevisitReport report;
   std::vector<Revisit> revisits;
   const acmap::CameraViewReader read = [this](std::size_t i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
 #include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/point_fields.h>
@@ -21,7 +22,7 @@ void
 DepthRefinement<PointT>::setInputCloud(const PointCloudConstPtr& cloud)
 {
   if (!cloud)
-    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud is a null pointer");
+    throw acmap::InitFailed("the input cloud is a null pointer");
   Filter<PointT>::setInputCloud(cloud);
 }
 
@@ -50,13 +51,14 @@ DepthRefinement<PointT>::applyFilter(PointCloud& output)
   // here, since a call by a pointer to Filter comes by no other function of this class
   acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
   if (!input_->empty() && !input_->isOrganized())
-    PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
-                        "the cloud is not organized: give a view as rows of pixels");
+    throw acmap::Unorganized(
+        "the cloud is not organized: give a view as rows of pixels");
   if (!planes_.labels.empty() && planes_.labels.size() != input_->size())
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        "the planes have " << planes_.labels.size()
-                                           << " labels, the cloud has "
-                                           << input_->size() << " points");
+    throw acmap::InitFailed("the planes have ",
+                            planes_.labels.size(),
+                            " labels, the cloud has ",
+                            input_->size(),
+                            " points");
   PointCloud result = *input_;
   if (!this->fake_indices_) {
     std::vector<std::uint8_t> is_chosen(input_->size(), 0);

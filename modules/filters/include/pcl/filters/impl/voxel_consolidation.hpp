@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
 #include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/point_fields.h>
@@ -19,7 +20,7 @@ void
 VoxelConsolidation<PointT>::setInputCloud(const PointCloudConstPtr& cloud)
 {
   if (!cloud)
-    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud is a null pointer");
+    throw acmap::InitFailed("the input cloud is a null pointer");
   Filter<PointT>::setInputCloud(cloud);
 }
 

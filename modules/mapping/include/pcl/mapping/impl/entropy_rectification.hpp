@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/planar_pose.h>
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/mapping/impl/plane_adjustment_kernel.h>
@@ -90,7 +91,7 @@ void
 EntropyRectification<PointT>::compute()
 {
   if (this->poses_.empty())
-    PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
+    throw acmap::InitFailed("no point cloud was added");
   EntropyRectificationReport report;
   acmap::StepTimer timer(report);
   std::vector<acmap::LevelledPoints> observations(this->poses_.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/exceptions.h>
 #include <pcl/mapping/impl/posed_clouds.h>
 #include <pcl/mapping/map_entropy.h>
 
@@ -110,7 +111,7 @@ MapEntropyTerms
 MapEntropy<PointT>::evaluate(std::vector<Eigen::Vector3d>* gradient)
 {
   if (this->poses_.empty())
-    PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
+    throw acmap::InitFailed("no point cloud was added");
   const acmap::Progress progress(this->progress_);
   MapEntropyReport report;
   acmap::StepTimer timer(report);
@@ -150,7 +151,7 @@ MapEntropyTerms
 MapEntropy<PointT>::computeExact()
 {
   if (this->poses_.empty())
-    PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
+    throw acmap::InitFailed("no point cloud was added");
   MapEntropyReport report;
   acmap::StepTimer timer(report);
   std::vector<acmap::PosedPoints> views;

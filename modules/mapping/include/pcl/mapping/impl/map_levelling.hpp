@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/exceptions.h>
 #include <pcl/mapping/impl/posed_clouds.h>
 #include <pcl/mapping/map_levelling.h>
 
@@ -35,7 +36,7 @@ void
 MapLevelling<PointT>::compute()
 {
   if (this->poses_.empty())
-    PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
+    throw acmap::InitFailed("no point cloud was added");
   MapLevellingReport report;
   acmap::StepTimer timer(report);
   const acmap::Progress progress(this->progress_);

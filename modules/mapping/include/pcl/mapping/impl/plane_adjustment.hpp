@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/point_types.h>
 #include <pcl/mapping/impl/posed_clouds.h>
 #include <pcl/mapping/plane_adjustment.h>
@@ -37,7 +38,7 @@ PlaneAdjustment<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
                                        const Eigen::Isometry3d& pose)
 {
   if (!cloud)
-    throw BadArgumentException("a view needs a cloud");
+    throw acmap::BadArgument("a view needs a cloud");
   return addPointCloudLoader([cloud] { return cloud; }, pose);
 }
 
@@ -67,9 +68,8 @@ PlaneAdjustment<PointT>::addRevisit(std::size_t earlier,
 {
   acmap::requireObservation(later, this->poses_.size());
   if (earlier >= later)
-    throw BadArgumentException("a revisit needs the earlier view first, not " +
-                               std::to_string(earlier) + " and " +
-                               std::to_string(later));
+    throw acmap::BadArgument("a revisit needs the earlier view first, not " +
+                             std::to_string(earlier) + " and " + std::to_string(later));
   acmap::requireMapPose(T_earlier_later);
   acmap::requireActionCovariance(covariance);
   settings_.revisits.push_back({earlier, later, T_earlier_later, covariance});
@@ -98,7 +98,7 @@ void
 PlaneAdjustment<PointT>::compute()
 {
   if (this->poses_.empty())
-    PCL_THROW_EXCEPTION(InitFailedException, "no point cloud was added");
+    throw acmap::InitFailed("no point cloud was added");
   PlaneAdjustmentReport report;
   const acmap::AdjustedViewReader read =
       [this](std::size_t i,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/common/transforms.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/point_fields.h>
@@ -32,7 +33,7 @@ PosedClouds<PointT, Pose, ReportT>::addPointCloud(const PointCloudConstPtr& clou
                                                   const std::vector<float>& weights)
 {
   if (!cloud)
-    throw BadArgumentException("an observation needs a cloud");
+    throw acmap::BadArgument("an observation needs a cloud");
   requirePose(pose);
   requirePointWeights(weights, cloud->size());
   return add([cloud] { return cloud; }, pose, weights);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
 #include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/mesh_input.h>
@@ -21,7 +22,7 @@ CylinderHypothesisClustering<PointT>::segment(std::vector<CylinderPatch>& patche
     requireAsMany("normals", normals_->size(), input_->size());
   requirePlanes(input_->size());
   if (!this->initCompute())
-    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud was refused");
+    throw acmap::InitFailed("the input cloud was refused");
   const bool are_all = this->fake_indices_;
   const std::vector<std::int32_t> chosen =
       are_all ? std::vector<std::int32_t>() : acmap::chosenOf(*indices_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/depth_view.h>
@@ -42,9 +43,9 @@ DepthPlaneSegmentation<PointT>::segment(std::vector<PlanePatch>& patches)
   const std::optional<acmap::PictureView> picture = acmap::PictureView::find(
       points, input_->isOrganized() ? input_->width : points.size());
   if (!picture)
-    PCL_THROW_EXCEPTION(UnorganizedPointCloudException,
-                        "the cloud is not organized, and its points are not those of "
-                        "one picture in its sensor's frame");
+    throw acmap::Unorganized(
+        "the cloud is not organized, and its points are not those of "
+        "one picture in its sensor's frame");
   DepthPlaneReport report;
   acmap::PlaneClusters clusters;
   if (const auto seen = acmap::measureDepthView(picture->points(), picture->width()))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
 #include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/mesh_input.h>
@@ -20,8 +21,7 @@ PlaneHypothesisClustering<PointT>::requireInputs() const
   if (normals_)
     requireAsMany("normals", normals_->size(), input_->size());
   else if (!acmap::has_normal<PointT>)
-    PCL_THROW_EXCEPTION(InitFailedException,
-                        "no normals: set some, or give points that have them");
+    throw acmap::InitFailed("no normals: set some, or give points that have them");
   if (classes_)
     requireAsMany("vertex classes", classes_->size(), input_->size());
 }
@@ -46,7 +46,7 @@ PlaneHypothesisClustering<PointT>::segment(std::vector<PlanePatch>& patches)
 {
   requireInputs();
   if (!this->initCompute())
-    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud was refused");
+    throw acmap::InitFailed("the input cloud was refused");
   const bool are_all = this->fake_indices_;
   const std::vector<std::int32_t> chosen =
       are_all ? std::vector<std::int32_t>() : acmap::chosenOf(*indices_);

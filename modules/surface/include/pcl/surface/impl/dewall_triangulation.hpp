@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/conversions.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
 #include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/point_fields.h>
@@ -22,7 +23,7 @@ DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
 {
   acmap::requireInput<PointInT>(input_, this->fake_indices_ ? nullptr : indices_.get());
   if (!this->initCompute())
-    PCL_THROW_EXCEPTION(InitFailedException, "the input cloud was refused");
+    throw acmap::InitFailed("the input cloud was refused");
   acmap::DeWallInput input;
   input.points = acmap::pointsOf(*input_, indices_.get());
   input.sensor_origin =

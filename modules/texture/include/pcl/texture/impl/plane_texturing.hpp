@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/PCLPointField.h>
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/point_fields.h>
 #include <pcl/core/trajectory.h>
@@ -17,7 +18,7 @@ inline Eigen::Isometry3d
 requireRigid(const Eigen::Isometry3d& T_map_camera)
 {
   if (!isRigid(T_map_camera, float_pose_tolerance))
-    throw BadArgumentException("the pose of an observation is no rigid motion");
+    throw acmap::BadArgument("the pose of an observation is no rigid motion");
   if (T_map_camera.linear().isUnitary(1e-9))
     return T_map_camera;
   Eigen::Isometry3d pose = T_map_camera;
@@ -51,7 +52,7 @@ PlaneTexturing<PointT>::addObservation(const PointCloudConstPtr& cloud,
                                        const Eigen::Isometry3d& T_map_camera)
 {
   if (!cloud)
-    throw BadArgumentException("an observation needs a cloud");
+    throw acmap::BadArgument("an observation needs a cloud");
   observations_.push_back({cloud, acmap::requireRigid(T_map_camera), {}, {}});
 }
 
@@ -60,7 +61,7 @@ void
 PlaneTexturing<PointT>::addObservationLoader(TexturedObservationLoader load)
 {
   if (!load)
-    throw BadArgumentException("an observation needs a loader");
+    throw acmap::BadArgument("an observation needs a loader");
   observations_.push_back(
       {nullptr, Eigen::Isometry3d::Identity(), std::move(load), {}});
 }
@@ -70,7 +71,7 @@ void
 PlaneTexturing<PointT>::addPaintedObservations(acmap::PaintedObservations next)
 {
   if (!next)
-    throw BadArgumentException("painted observations need a source");
+    throw acmap::BadArgument("painted observations need a source");
   observations_.push_back(
       {nullptr, Eigen::Isometry3d::Identity(), {}, std::move(next)});
 }
@@ -128,7 +129,7 @@ void
 PlaneTexturing<PointT>::texture(CompactMap& map)
 {
   if (!has_planes_)
-    PCL_THROW_EXCEPTION(InitFailedException, "no planes were set");
+    throw acmap::InitFailed("no planes were set");
   const acmap::Progress progress(progress_);
   acmap::TextureBuilder builder(planes_, cylinders_, settings());
   Trajectory trajectory;
