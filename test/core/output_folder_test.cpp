@@ -13,7 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
-using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -103,8 +102,7 @@ TEST(OutputFolder, FaultsNameThePlaceThatTheUserKnows)
     EXPECT_EQ(shownPath(output.path("a")), path + "/a");
     fs::create_directory(output.path("a"));
     EXPECT_THAT([&] { OutputFile file(output.path("a")); },
-                testing::ThrowsMessage<OutputFileException>(
-                    EndsWith(": " + path + "/a: is a folder")));
+                testing::ThrowsMessage<OutputFileException>(path + "/a: is a folder"));
   }
 }
 

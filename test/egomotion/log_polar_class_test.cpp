@@ -210,13 +210,13 @@ TEST_F(LogPolarClass, inputThatCannotBeIsRefusedAndOutputUntouched)
   EXPECT_THROW(refuse(Cloud::Ptr(new Cloud(500, 1))), UnorganizedPointCloudException);
   const Cloud::Ptr torn(new Cloud(640, 480)); // its header announces more pixels
   torn->points.resize(1000);
-  EXPECT_THROW(refuse(torn), UnorganizedPointCloudException);
+  EXPECT_THROW(refuse(torn), InitFailedException);
   matcher_.setInputTarget(torn);
-  EXPECT_THROW(refuse(now_), UnorganizedPointCloudException);
+  EXPECT_THROW(refuse(now_), InitFailedException);
   torn->points.clear();
-  EXPECT_THROW(refuse(now_), UnorganizedPointCloudException);
+  EXPECT_THROW(refuse(now_), InitFailedException);
   matcher_.setInputTarget(before_);
-  EXPECT_THROW(refuse(torn), UnorganizedPointCloudException);
+  EXPECT_THROW(refuse(torn), InitFailedException);
   for (const double distance : {0.0, -1.0, std::nan("")}) {
     matcher_.setInputSource(now_);
     EXPECT_THROW(matcher_.determineCorrespondences(matches, distance),
