@@ -176,7 +176,7 @@ private:
   }
 
   std::string
-  nameOf(const std::string& topic) const
+  placeOf(const std::string& topic) const
   {
     return bag_.path() + ": " + topic;
   }
@@ -204,8 +204,8 @@ private:
             const BagMessage& message) const
   {
     const std::string bytes = bag_.load(message);
-    return type == "CompressedImage" ? readRosCompressedImage(bytes, nameOf(topic))
-                                     : readRosImage(bytes, nameOf(topic));
+    return type == "CompressedImage" ? readRosCompressedImage(bytes, placeOf(topic))
+                                     : readRosImage(bytes, placeOf(topic));
   }
 
   /** \brief Nothing if the messages are no images, or of an encoding that is neither of
@@ -219,13 +219,13 @@ private:
     const RosImage first = loadImage(type, topic.name, topic.messages.front());
     ImageTopic images{&topic, first.isDepth(), first.header.frame};
     if (images.is_depth) {
-      const DepthImage depth = depthsOf(first, nameOf(topic.name));
+      const DepthImage depth = depthsOf(first, placeOf(topic.name));
       images.width = depth.width;
       images.height = depth.height;
       return images;
     }
     try {
-      const RgbImage color = colorsOf(first, nameOf(topic.name));
+      const RgbImage color = colorsOf(first, placeOf(topic.name));
       images.width = color.width;
       images.height = color.height;
       return images;
@@ -252,18 +252,18 @@ private:
       if (typeIn("tf2_msgs", topic.type) == "TFMessage")
         for (const BagMessage& message : topic.messages)
           for (const RosTransform& transform :
-               readRosTransforms(bag_.load(message), nameOf(name)))
+               readRosTransforms(bag_.load(message), placeOf(name)))
             tree_.add(transform, endsWith(name, "tf_static"));
     std::set<std::string> known;
     for (const auto& [name, topic] : topics_) {
       if (typeIn("nav_msgs", topic.type) != "Odometry")
         continue;
       const std::string child =
-          readRosOdometry(bag_.load(topic.messages.front()), nameOf(name)).child;
+          readRosOdometry(bag_.load(topic.messages.front()), placeOf(name)).child;
       if (tree_.hasParent(child) || !known.insert(child).second)
         continue;
       for (const BagMessage& message : topic.messages)
-        tree_.add(readRosOdometry(bag_.load(message), nameOf(name)), false);
+        tree_.add(readRosOdometry(bag_.load(message), placeOf(name)), false);
     }
   }
 
@@ -271,7 +271,7 @@ private:
   cameraOf(const ImageTopic& images) const
   {
     const auto load = [&](const BagTopic& topic) {
-      return readRosCameraInfo(bag_.load(topic.messages.front()), nameOf(topic.name));
+      return readRosCameraInfo(bag_.load(topic.messages.front()), placeOf(topic.name));
     };
     const auto beside = topics_.find(cameraTopicOf(images.topic->name));
     if (beside != topics_.end() &&
@@ -326,7 +326,7 @@ private:
   poseOfColors(const ImageTopic& depth, const ImageTopic& color) const
   {
     const double stamp = readRosHeader(bag_.load(depth.topic->messages.front()),
-                                       nameOf(depth.topic->name))
+                                       placeOf(depth.topic->name))
                              .stamp;
     const auto T_depth_color = tree_.relativePose(depth.frame, color.frame, stamp);
     if (!T_depth_color)
@@ -340,7 +340,7 @@ private:
   {
     std::vector<double> stamps;
     for (const BagMessage& message : topic.messages)
-      stamps.push_back(readRosHeader(bag_.load(message), nameOf(topic.name)).stamp);
+      stamps.push_back(readRosHeader(bag_.load(message), placeOf(topic.name)).stamp);
     return stamps;
   }
 
@@ -399,7 +399,7 @@ private:
       remark("took clouds of " + depth_.name);
     const std::vector<double> stamps = sortByStamps(depth_);
     frame_ =
-        readRosHeader(bag_.load(depth_.messages.front()), nameOf(depth_.name)).frame;
+        readRosHeader(bag_.load(depth_.messages.front()), placeOf(depth_.name)).frame;
     if (!endsWith(frame_, "optical_frame") && !endsWith(frame_, "optical"))
       T_camera_frame_ = cameraOfBody();
     for (std::size_t i = 0; i < stamps.size(); i += every)
@@ -425,8 +425,8 @@ private:
     for (const BagMessage& message : most->messages) {
       const std::string bytes = bag_.load(message);
       RosTransform pose = typeIn("nav_msgs", most->type) == "Odometry"
-                              ? readRosOdometry(bytes, nameOf(most->name))
-                              : readRosPose(bytes, nameOf(most->name));
+                              ? readRosOdometry(bytes, placeOf(most->name))
+                              : readRosPose(bytes, placeOf(most->name));
       pose.child = root;
       if (pose.header.frame == root)
         pose.header.frame += " of poses";
@@ -468,7 +468,7 @@ private:
   requireSize(const Image& image, const ImageSize& size, const BagTopic& topic) const
   {
     if (image.width != size.width || image.height != size.height)
-      throw InputFileException(nameOf(topic.name) + ": has an image of " +
+      throw InputFileException(placeOf(topic.name) + ": has an image of " +
                                sizeText(image) + " pixels, the first one has " +
                                sizeText(size) + " pixels");
   }
@@ -479,8 +479,8 @@ private:
     const auto load = [&](const BagTopic& topic, const BagMessage& message) {
       return loadImage(typeIn("sensor_msgs", topic.type), topic.name, message);
     };
-    const DepthImage depth = depthsOf(load(depth_, seen.depth), nameOf(depth_.name));
-    const RgbImage color = colorsOf(load(color_, *seen.color), nameOf(color_.name));
+    const DepthImage depth = depthsOf(load(depth_, seen.depth), placeOf(depth_.name));
+    const RgbImage color = colorsOf(load(color_, *seen.color), placeOf(color_.name));
     requireSize(depth, depth_size_, depth_);
     requireSize(color, color_size_, color_);
     return makeRgbdObservation(
@@ -491,7 +491,7 @@ private:
   PCLPointCloud2
   loadCloud(const BagObservation& seen) const
   {
-    RosCloud read = readRosCloud(bag_.load(seen.depth), nameOf(depth_.name));
+    RosCloud read = readRosCloud(bag_.load(seen.depth), placeOf(depth_.name));
     if (!T_camera_frame_.matrix().isIdentity(0))
       turnCloud(T_camera_frame_.linear().cast<float>(), read.cloud);
     return std::move(read.cloud);
