@@ -2,6 +2,7 @@
 
 #include <pcl/core/compact_map.h>
 #include <pcl/core/export.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/core/trinocular_frame.h>
 #include <pcl/core/trinocular_rig.h>
@@ -529,6 +530,7 @@ CompactMapping::fileOf(const std::shared_ptr<const PointCloud<PointT>>& cloud)
 {
   if (!cloud)
     return nullptr;
+  acmap::requireInput<PointT>(cloud, nullptr); // PCL's conversion only asserts it
   const auto file = std::make_shared<PointCloudFile>();
   toPCLPointCloud2(*cloud, file->cloud);
   file->sensor_origin = cloud->sensor_origin_.template head<3>();
