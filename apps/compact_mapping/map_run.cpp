@@ -319,12 +319,9 @@ MapRun::tellPoses(const std::string& stage,
     rectification.folder = options_.input;
     rectification.output = open.path("");
     const ObservationSequence& posed = *state.observations;
-    std::vector<Eigen::Isometry3d> poses;
-    for (std::size_t i = 0; i < posed.size(); ++i)
-      poses.push_back(posed.pose(i));
     drawRectification(state.rectified.clouds,
                       state.before.poses,
-                      poses,
+                      state.estimated.trajectory.poses,
                       report.levelling->axis,
                       *report.rectification,
                       [&](const char* name) { return open.path(name); });

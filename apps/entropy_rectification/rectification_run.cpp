@@ -376,9 +376,7 @@ rectifyPoses(const RectificationOptions& options,
   const CompactMappingReport& report = state.report;
   timer.finish("rectify");
   const ObservationSequence& mapped = *state.observations;
-  Poses poses;
-  for (std::size_t i = 0; i < mapped.size(); ++i)
-    poses.push_back(mapped.pose(i));
+  const Poses& poses = state.estimated.trajectory.poses;
   writeObservations(options, mapped, *report.consolidation, folder, controls);
   writePoses(state.before, poses, folder);
   drawRectification(state.rectified.clouds,

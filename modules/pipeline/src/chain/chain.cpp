@@ -136,14 +136,11 @@ Chain::runStage(const ChainStage& stage, OpenStage& open)
                         scratch_resident_};
   stage.run(state_, settings_, run, open);
   progress_before_ = end;
-  std::vector<std::string> remarks; // a broken observation is told once
-  appendNew(state_.stage.remarks, remarks);
-  const std::vector<std::string>& told = state_.report.remarks;
-  const auto is_told = [&](const std::string& remark) {
-    return std::find(told.begin(), told.end(), remark) != told.end();
-  };
-  remarks.erase(std::remove_if(remarks.begin(), remarks.end(), is_told), remarks.end());
-  state_.stage.remarks = std::move(remarks);
+  std::vector<std::string>& told = state_.report.remarks;
+  const auto before = static_cast<std::ptrdiff_t>(told.size());
+  appendNew(state_.stage.remarks, told); // a broken observation is told once
+  state_.stage.remarks.assign(told.begin() + before, told.end());
+  state_.report.seconds.emplace_back(stage.name, sumOf(state_.stage));
 }
 
 void
@@ -156,8 +153,6 @@ Chain::runKept(const ChainStage& stage, const StageKey& key)
     notes.told = callback_(stage.name, state_, open);
   notes.remarks = state_.stage.remarks;
   DoneStage done{stage.name, notes.told, false, open.finish(notes)};
-  appendNew(notes.remarks, state_.report.remarks);
-  state_.report.seconds.emplace_back(stage.name, sumOf(state_.stage));
   done_.push_back(std::move(done));
 }
 
@@ -171,17 +166,31 @@ Chain::runPassing(const ChainStage& stage)
   runStage(stage, in_memory);
   if (callback_)
     callback_(stage.name, state_, in_memory);
-  appendNew(state_.stage.remarks, state_.report.remarks);
-  state_.report.seconds.emplace_back(stage.name, sumOf(state_.stage));
 }
 
-void
-Chain::take(const ChainStage& stage, StageNotes notes)
+bool
+Chain::takeOver(const ChainStage& stage, const StageKey& key)
 {
+  std::optional<StageNotes> notes = store_.find(stage.name, key, stage.result_folder);
+  if (!notes)
+    return false;
   if (stage.take)
     stage.take(state_, settings_, store_);
-  appendNew(notes.remarks, state_.report.remarks);
-  done_.push_back({stage.name, std::move(notes.told), true, {}});
+  appendNew(notes->remarks, state_.report.remarks);
+  done_.push_back({stage.name, std::move(notes->told), true, {}});
+  return true;
+}
+
+std::vector<ChainStage>
+Chain::allStages() const
+{
+  std::vector<ChainStage> stages;
+  if (first_)
+    stages.push_back(*first_);
+  if (load_cloud_)
+    stages.push_back(cloudStage(load_cloud_));
+  stages.insert(stages.end(), stages_.begin(), stages_.end());
+  return stages;
 }
 
 bool
@@ -189,32 +198,25 @@ Chain::wouldTake(const ChainStage& wanted)
 {
   if (!store_.isFolder())
     return false;
-  std::vector<ChainStage> stages = stages_;
-  if (first_)
-    stages.insert(stages.begin(), *first_);
   begin();
+  std::vector<ChainStage> stages = allStages();
+  stages.push_back(wanted);
   for (const ChainStage& stage : stages) {
     if (!stage.is_kept || !applies(stage))
       continue;
     const StageKey key = keyOf(stage);
-    if (!store_.find(stage.name, key, stage.result_folder))
+    if (!takeOver(stage, key))
       return false;
-    if (stage.take)
-      stage.take(state_, settings_, store_);
     key_before_ = key.fingerprint();
   }
-  return store_.find(wanted.name, keyOf(wanted), wanted.result_folder).has_value();
+  return true;
 }
 
 const ChainState&
 Chain::run(const std::string& last)
 {
   begin();
-  std::vector<ChainStage> stages = stages_;
-  if (load_cloud_)
-    stages.insert(stages.begin(), cloudStage(load_cloud_));
-  if (first_)
-    stages.insert(stages.begin(), *first_);
+  const std::vector<ChainStage> stages = allStages();
   std::vector<const ChainStage*> passing; // until a stage behind them must run
   bool has_run = false;
   const auto run_passing = [&] {
@@ -224,25 +226,18 @@ Chain::run(const std::string& last)
   };
   for (const ChainStage& stage : stages) {
     const bool is_last = stage.name == last || &stage == &stages.back();
-    if (applies(stage)) {
-      if (!stage.is_kept)
-        passing.push_back(&stage);
+    if (applies(stage) && !stage.is_kept)
+      passing.push_back(&stage);
+    else if (applies(stage)) {
+      const StageKey key = keyOf(stage);
+      if (!has_run && takeOver(stage, key))
+        passing.clear();
       else {
-        const StageKey key = keyOf(stage);
-        std::optional<StageNotes> notes;
-        if (!has_run)
-          notes = store_.find(stage.name, key, stage.result_folder);
-        if (notes) {
-          passing.clear();
-          take(stage, std::move(*notes));
-        }
-        else {
-          run_passing();
-          runKept(stage, key);
-          has_run = true;
-        }
-        key_before_ = key.fingerprint();
+        run_passing();
+        runKept(stage, key);
+        has_run = true;
       }
+      key_before_ = key.fingerprint();
     }
     if (is_last)
       break;

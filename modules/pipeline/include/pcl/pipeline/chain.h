@@ -295,8 +295,12 @@ private:
   void
   runPassing(const ChainStage& stage);
 
-  void
-  take(const ChainStage& stage, StageNotes notes);
+  /** \return false if the stage has to be run */
+  bool
+  takeOver(const ChainStage& stage, const StageKey& key);
+
+  std::vector<ChainStage>
+  allStages() const;
 
   ChainSettings settings_;
   std::vector<ChainStage> stages_;
