@@ -83,7 +83,7 @@ struct FieldValue {
     py::list list;
     for (const Element& value : values)
       list.append((*this)(value));
-    return std::move(list);
+    return py::object(std::move(list));
   }
 
   template <typename Value>
@@ -103,7 +103,7 @@ struct FieldValue {
       py::dict values;
       for (std::size_t i = 0; i < size; ++i)
         values[named.names[i]] = named.value[i];
-      return std::move(values);
+      return py::object(std::move(values));
     }
   }
 };
