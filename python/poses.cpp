@@ -1,6 +1,7 @@
 #include "poses.h"
 
-#include <pcl/core/trajectory.h>
+#include <pcl/core/exceptions.h>
+#include <pcl/core/rigid_motion.h>
 
 #include <cstring>
 
@@ -25,21 +26,20 @@ matricesOf(const std::string& name,
 Eigen::Isometry3d
 poseAt(const std::string& name, const py::array& array, const char* first)
 {
-  constexpr double max_position = 1e9; // metres
   const int row_axis = static_cast<int>(array.ndim()) - 2;
-  Eigen::Isometry3d pose;
+  Eigen::Matrix4d pose;
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column)
-      std::memcpy(&pose.matrix()(row, column),
+      std::memcpy(&pose(row, column),
                   first + row * array.strides(row_axis) +
                       column * array.strides(row_axis + 1),
                   sizeof(double));
-  if (pose.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-    throw py::value_error(name + ": its last row is not 0 0 0 1");
-  if (!isRigid(pose) || !(pose.translation().cwiseAbs().maxCoeff() <= max_position))
-    throw py::value_error(name +
-                          ": must be a rigid motion of at most 1e9 m along each axis");
-  return pose;
+  try {
+    return requirePlace(RigidMotion(pose));
+  }
+  catch (const BadArgumentException& fault) {
+    throw py::value_error(name + ": " + fault.what());
+  }
 }
 
 } // namespace

@@ -111,27 +111,5 @@ TEST(RigidMotion, isTold)
     EXPECT_TRUE(isRigid(isometryOf(randomPose(random))));
 }
 
-TEST(RigidMotion, isNoMirrorNoScaleNoShear)
-{
-  const auto altered = [](int row, int column, double value) {
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.matrix()(row, column) = value;
-    return pose;
-  };
-  EXPECT_FALSE(isRigid(altered(0, 0, -1))) << "mirror";
-  EXPECT_FALSE(isRigid(altered(1, 1, 1.001))) << "scale";
-  EXPECT_FALSE(isRigid(altered(0, 1, 0.01))) << "shear";
-  EXPECT_FALSE(isRigid(altered(2, 2, 0))) << "flat";
-  EXPECT_TRUE(isRigid(altered(0, 0, 1 + 1e-8))) << "rounding";
-  EXPECT_FALSE(isRigid(altered(0, 0, 1 + 1e-5)));
-  EXPECT_TRUE(isRigid(altered(0, 0, 1 + 1e-5), float_pose_tolerance));
-  EXPECT_FALSE(isRigid(altered(0, 0, 1 + 1e-3), float_pose_tolerance));
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (const double bad : {std::nan(""), infinity, -infinity}) {
-    EXPECT_FALSE(isRigid(altered(0, 3, bad)));
-    EXPECT_FALSE(isRigid(altered(1, 2, bad)));
-  }
-}
-
 } // namespace
 } // namespace pcl::acmap::test

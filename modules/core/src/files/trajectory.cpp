@@ -73,14 +73,6 @@ textOfRow(double stamp, const Eigen::Isometry3d& pose)
 
 } // namespace
 
-bool
-acmap::isRigid(const Eigen::Isometry3d& pose, double tolerance)
-{
-  const Eigen::Matrix3d rotation = pose.linear();
-  return pose.matrix().allFinite() && rotation.isUnitary(tolerance) &&
-         rotation.determinant() > 0.0;
-}
-
 Trajectory
 acmap::readTrajectory(ByteSource& source)
 {

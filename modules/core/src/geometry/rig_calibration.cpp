@@ -149,7 +149,8 @@ acmap::faultOfPlace(const Eigen::Isometry3d& T_reference_camera, bool is_referen
     return T_reference_camera.matrix() == Eigen::Matrix4d::Identity()
                ? ""
                : "must be the identity";
-  if (!isRigid(T_reference_camera) ||
+  constexpr double all_digits = 1e-6; // what a calibration prints; used as it is
+  if (!isRigid(T_reference_camera, all_digits) ||
       T_reference_camera.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1))
     return "is no rigid motion";
   if (T_reference_camera.translation().norm() > longest_camera_baseline)

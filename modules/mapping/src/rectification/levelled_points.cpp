@@ -1,17 +1,6 @@
-#include <pcl/core/exceptions.h>
-#include <pcl/core/trajectory.h>
 #include <pcl/mapping/impl/rectification_kernel.h>
 
 namespace pcl::acmap {
-
-void
-requireMapPose(const Eigen::Isometry3d& T_map_camera)
-{
-  if (!isRigid(T_map_camera) ||
-      !(T_map_camera.translation().cwiseAbs().maxCoeff() <= 1e9))
-    throw acmap::BadArgument(
-        "a pose must be a rigid motion of at most 1e9 m along each axis");
-}
 
 Eigen::Isometry3d
 levelOf(const Eigen::Isometry3d& T_map_camera)

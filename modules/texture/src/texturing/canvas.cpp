@@ -4,6 +4,7 @@
 
 #include <pcl/core/cylinder_facets.h>
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/size_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -147,8 +148,9 @@ canvasesOf(const std::vector<PlanePatch>& planes,
 {
   const Grids grids = gridsOf(planes, texel_size);
   if (texelsOf(grids, cylinders, texel_size) > max_texels)
-    throw acmap::BadArgument("the charts have more than 2^28 texels: choose larger "
-                             "ones");
+    throw acmap::BadArgument("the charts have more than 2^28 texels of ",
+                             shortNumber(texel_size),
+                             " m: choose larger ones, if the lengths are metres");
   std::vector<Canvas> canvases;
   auto grid = grids.begin();
   for (std::size_t p = 0; p < planes.size(); ++p)

@@ -141,7 +141,7 @@ sendPainted(const std::vector<PlanePatch>& planes,
     std::optional<TexturedObservation> observation = load();
     if (!observation)
       continue;
-    observation->T_map_camera = requireRigid(observation->T_map_camera);
+    observation->T_map_camera = RigidMotion(observation->T_map_camera);
     builder.add(viewOfObservation(*observation));
     trajectory.stamps.push_back(observation->stamp);
     trajectory.poses.push_back(observation->T_map_camera);

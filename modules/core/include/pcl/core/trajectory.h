@@ -2,6 +2,7 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
+#include <pcl/core/rigid_motion.h>
 
 #include <Eigen/Geometry>
 
@@ -21,19 +22,7 @@ namespace acmap {
 /** \brief Name of the file in a folder that contains the poses of its observations. */
 constexpr const char* trajectory_name = "trajectory.txt";
 
-/** \brief Tolerance for poses that were multiplied in single precision. */
-constexpr double float_pose_tolerance = 1e-4;
-
-/** \brief Returns true if a pose is a rigid motion: finite, with an orthonormal
- * rotation without reflection.
- * \param[in] tolerance of the lengths and products of the axes, relative
- * \ingroup core */
-ACMAP_EXPORT bool
-isRigid(const Eigen::Isometry3d& pose, double tolerance = 1e-6);
-
 } // namespace acmap
-
-using acmap::isRigid;
 
 /** \brief Reads a trajectory in TUM format: rows of `stamp tx ty tz qx qy qz qw`; blank
  * lines and comments after # are ignored. A quaternion whose length is within 1 % of 1

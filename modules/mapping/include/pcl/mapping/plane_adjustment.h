@@ -64,13 +64,13 @@ public:
    * \throws BadArgumentException when the cloud is missing or the pose is not a rigid
    * motion */
   std::size_t
-  addPointCloud(const PointCloudConstPtr& cloud, const Eigen::Isometry3d& pose);
+  addPointCloud(const PointCloudConstPtr& cloud, const acmap::RigidMotion& pose);
 
   /** \brief Adds a view that is loaded whenever it is needed, so that not all views are
    * in memory at once.
    * \throws BadArgumentException when the pose is not a rigid motion */
   std::size_t
-  addPointCloudLoader(Loader loader, const Eigen::Isometry3d& pose);
+  addPointCloudLoader(Loader loader, const acmap::RigidMotion& pose);
 
   /** \brief Removes all views, the covariances of their actions and the revisits. */
   void
@@ -116,7 +116,7 @@ public:
   void
   addRevisit(std::size_t earlier,
              std::size_t later,
-             const Eigen::Isometry3d& T_earlier_later,
+             const acmap::RigidMotion& T_earlier_later,
              const Eigen::Matrix<double, 6, 6>& covariance);
 
   std::size_t

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/rigid_motion.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/memory.h>
 #include <pcl/point_cloud.h>
@@ -8,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 namespace pcl {
@@ -23,6 +25,10 @@ public:
   using PointCloudPtr = typename PointCloud::Ptr;
   using PointCloudConstPtr = typename PointCloud::ConstPtr;
 
+  /** \brief A pose as it is given: in space, each type of Eigen for it. */
+  using GivenPose =
+      std::conditional_t<std::is_same_v<Pose, Eigen::Isometry3d>, RigidMotion, Pose>;
+
   /** \brief Adds an observation; the order must be that in which they were made.
    * \param[in] cloud in the sensor's frame; it must not be changed afterwards; points
    * and normals may be NaN
@@ -34,14 +40,14 @@ public:
    * motion, or the weights are not one per point, finite and >= 0 */
   std::size_t
   addPointCloud(const PointCloudConstPtr& cloud,
-                const Pose& pose,
+                const GivenPose& pose,
                 const std::vector<float>& weights = {});
 
   /** \brief Sets the pose of an observation, from which the next run starts.
    * \throws BadArgumentException as \ref addPointCloud, or when there is no such
    * observation */
   void
-  setPose(std::size_t number, const Pose& pose);
+  setPose(std::size_t number, const GivenPose& pose);
 
   /** \brief T_map_camera: the result after a run, the given pose before.
    * \throws BadArgumentException when there is no such observation */
@@ -62,7 +68,7 @@ protected:
   using Loader = std::function<PointCloudConstPtr()>;
 
   std::size_t
-  add(Loader loader, const Pose& pose, const std::vector<float>& weights);
+  add(Loader loader, const GivenPose& pose, const std::vector<float>& weights);
 
   std::vector<Loader> loaders_;
   std::vector<std::vector<float>> weights_;

@@ -2,6 +2,7 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/compact_map.h>
+#include <pcl/core/rigid_motion.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/memory.h>
 #include <pcl/point_cloud.h>
@@ -94,8 +95,9 @@ public:
    * \throws BadArgumentException when the cloud is missing or the pose is not a rigid
    * motion */
   void
-  addObservation(const PointCloudConstPtr& cloud,
-                 const Eigen::Isometry3d& T_map_camera = Eigen::Isometry3d::Identity());
+  addObservation(
+      const PointCloudConstPtr& cloud,
+      const acmap::RigidMotion& T_map_camera = Eigen::Isometry3d::Identity());
 
   /** \brief Adds an observation that is loaded when it is painted, and not kept: so memory
    * holds one of a long sequence at a time.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/point_types.h>
 #include <pcl/mapping/impl/posed_clouds.h>
 #include <pcl/mapping/plane_adjustment.h>
@@ -35,7 +36,7 @@ adjustedViewOf(const PointCloud<PointT>& cloud)
 template <typename PointT>
 std::size_t
 PlaneAdjustment<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
-                                       const Eigen::Isometry3d& pose)
+                                       const acmap::RigidMotion& pose)
 {
   if (!cloud)
     throw acmap::BadArgument("a view needs a cloud");
@@ -45,7 +46,7 @@ PlaneAdjustment<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
 template <typename PointT>
 std::size_t
 PlaneAdjustment<PointT>::addPointCloudLoader(Loader loader,
-                                             const Eigen::Isometry3d& pose)
+                                             const acmap::RigidMotion& pose)
 {
   return this->add(std::move(loader), pose, {});
 }
@@ -63,16 +64,16 @@ template <typename PointT>
 void
 PlaneAdjustment<PointT>::addRevisit(std::size_t earlier,
                                     std::size_t later,
-                                    const Eigen::Isometry3d& T_earlier_later,
+                                    const acmap::RigidMotion& T_earlier_later,
                                     const Eigen::Matrix<double, 6, 6>& covariance)
 {
   acmap::requireObservation(later, this->poses_.size());
   if (earlier >= later)
     throw acmap::BadArgument("a revisit needs the earlier view first, not " +
                              std::to_string(earlier) + " and " + std::to_string(later));
-  acmap::requireMapPose(T_earlier_later);
   acmap::requireActionCovariance(covariance);
-  settings_.revisits.push_back({earlier, later, T_earlier_later, covariance});
+  settings_.revisits.push_back(
+      {earlier, later, acmap::requirePlace(T_earlier_later), covariance});
 }
 
 template <typename PointT>
@@ -106,6 +107,8 @@ PlaneAdjustment<PointT>::compute()
         const PointCloudConstPtr cloud = this->loaders_[i]();
         use(cloud ? acmap::adjustedViewOf(*cloud) : acmap::AdjustedView());
       };
+  if (const PointCloudConstPtr first = this->loaders_.front()())
+    acmap::addRemarks(report, acmap::lengthRemarks(acmap::pointsOf(*first)));
   std::vector<Eigen::Isometry3d> poses;
   acmap::withThreads(this->threads_, [&] {
     poses = acmap::adjustPlanes(

@@ -14,27 +14,28 @@
 namespace pcl {
 namespace acmap {
 
-inline void
-requirePose(const Eigen::Isometry3d& pose)
+inline const Eigen::Isometry3d&
+checkedPose(const RigidMotion& pose)
 {
-  requireMapPose(pose);
+  return requirePlace(pose).get();
 }
 
-inline void
-requirePose(const PlanarPose& pose)
+inline const PlanarPose&
+checkedPose(const PlanarPose& pose)
 {
   requirePlanarPose(pose);
+  return pose;
 }
 
 template <typename PointT, typename Pose, typename ReportT>
 std::size_t
 PosedClouds<PointT, Pose, ReportT>::addPointCloud(const PointCloudConstPtr& cloud,
-                                                  const Pose& pose,
+                                                  const GivenPose& pose,
                                                   const std::vector<float>& weights)
 {
   if (!cloud)
     throw acmap::BadArgument("an observation needs a cloud");
-  requirePose(pose);
+  checkedPose(pose);
   requirePointWeights(weights, cloud->size());
   return add([cloud] { return cloud; }, pose, weights);
 }
@@ -42,25 +43,24 @@ PosedClouds<PointT, Pose, ReportT>::addPointCloud(const PointCloudConstPtr& clou
 template <typename PointT, typename Pose, typename ReportT>
 std::size_t
 PosedClouds<PointT, Pose, ReportT>::add(Loader loader,
-                                        const Pose& pose,
+                                        const GivenPose& pose,
                                         const std::vector<float>& weights)
 {
-  requirePose(pose);
+  const Pose& checked = checkedPose(pose);
   loaders_.push_back(std::move(loader));
   weights_.push_back(weights);
-  given_.push_back(pose);
-  poses_.push_back(pose);
+  given_.push_back(checked);
+  poses_.push_back(checked);
   return poses_.size() - 1;
 }
 
 template <typename PointT, typename Pose, typename ReportT>
 void
-PosedClouds<PointT, Pose, ReportT>::setPose(std::size_t number, const Pose& pose)
+PosedClouds<PointT, Pose, ReportT>::setPose(std::size_t number, const GivenPose& pose)
 {
   requireObservation(number, poses_.size());
-  requirePose(pose);
-  given_[number] = pose;
-  poses_[number] = pose;
+  given_[number] = checkedPose(pose);
+  poses_[number] = given_[number];
 }
 
 template <typename PointT, typename Pose, typename ReportT>

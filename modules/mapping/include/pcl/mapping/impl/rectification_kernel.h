@@ -49,11 +49,6 @@ struct LevelledPoints {
   double sensor_height = 0;             ///< metres, y of the sensor
 };
 
-/** \throws BadArgumentException unless T_map_camera is a rigid motion of at most 1e9 m
- * along each axis */
-ACMAP_EXPORT void
-requireMapPose(const Eigen::Isometry3d& T_map_camera);
-
 /** \brief Height and tilt of a pose: the transformation from the sensor's frame to the
  * levelled one. T_map_camera is isometryOf (planarPartOf (T_map_camera)) times this. */
 ACMAP_EXPORT Eigen::Isometry3d

@@ -4,28 +4,12 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/point_fields.h>
-#include <pcl/core/trajectory.h>
 #include <pcl/texture/impl/texturing_kernel.h>
 #include <pcl/texture/plane_texturing.h>
 
 namespace pcl {
 
 namespace acmap {
-
-/** \brief The pose as a rotation to the digit that files require; products in float are
- * not. \throws BadArgumentException unless it is a rigid motion */
-inline Eigen::Isometry3d
-requireRigid(const Eigen::Isometry3d& T_map_camera)
-{
-  if (!isRigid(T_map_camera, float_pose_tolerance))
-    throw acmap::BadArgument("the pose of an observation is no rigid motion");
-  if (T_map_camera.linear().isUnitary(1e-9))
-    return T_map_camera;
-  Eigen::Isometry3d pose = T_map_camera;
-  pose.linear() =
-      Eigen::Quaterniond(T_map_camera.linear()).normalized().toRotationMatrix();
-  return pose;
-}
 
 template <typename PointT>
 ColoredView
@@ -49,11 +33,11 @@ viewOfCloud(const PointCloud<PointT>& cloud, const Eigen::Isometry3d& T_map_came
 template <typename PointT>
 void
 PlaneTexturing<PointT>::addObservation(const PointCloudConstPtr& cloud,
-                                       const Eigen::Isometry3d& T_map_camera)
+                                       const acmap::RigidMotion& T_map_camera)
 {
   if (!cloud)
     throw acmap::BadArgument("an observation needs a cloud");
-  observations_.push_back({cloud, acmap::requireRigid(T_map_camera), {}, {}});
+  observations_.push_back({cloud, T_map_camera, {}, {}});
 }
 
 template <typename PointT>
@@ -149,7 +133,7 @@ PlaneTexturing<PointT>::texture(CompactMap& map)
       trajectory.poses.push_back(observation.T_map_camera);
     }
     else if (std::optional<TexturedObservation> loaded = observation.load()) {
-      loaded->T_map_camera = acmap::requireRigid(loaded->T_map_camera);
+      loaded->T_map_camera = acmap::RigidMotion(loaded->T_map_camera);
       builder.add(acmap::viewOfObservation(*loaded));
       has_poses = has_poses && loaded->has_sensor;
       trajectory.stamps.push_back(loaded->stamp);
