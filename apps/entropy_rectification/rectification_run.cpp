@@ -1,7 +1,6 @@
 #include "rectification_options.h"
 
 #include "energy_curve.h"
-#include "length_check.h"
 #include "log_observations.h"
 #include "memory.h"
 #include "output_target.h"
@@ -121,6 +120,10 @@ tellOutcome(const EntropyRectificationReport& report, StageLog& log)
   log.tell("moved",
            "at most " + shortNumber(largestOf(report.moved)) + " m and " +
                shortNumber(degrees * largestOf(report.turned)) + " degrees");
+  if (report.expected_error)
+    log.tell("error left",
+             "at most " + shortNumber(*report.expected_error) +
+                 " m (95 %), as neighbouring walls and the odometry tell");
 }
 
 std::string
@@ -388,7 +391,6 @@ rectifyPoses(const RectificationOptions& options,
   stopIfInterrupted();
   folder.commit();
   timer.finish("write");
-  warnOfLengths(mapped.load(0).file->points(), controls, log);
   log.warn(report.remarks);
   const bool is_raw = options.stage.getMode() == RectificationMode::Paper;
   tellConsolidated(*report.consolidation, mapped.size(), is_raw, log);

@@ -33,6 +33,17 @@ struct Errors {
   double before, after;
 };
 
+/** Metres, of the positions; the first poses are equal. */
+double
+largestError(const std::vector<PlanarPose>& poses, const std::vector<PlanarPose>& truth)
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    largest =
+        std::max(largest, std::hypot(poses[i].x - truth[i].x, poses[i].z - truth[i].z));
+  return largest;
+}
+
 Errors
 expectRectified(const World& world, const std::vector<PlanarPose>& odometry)
 {
@@ -84,6 +95,32 @@ INSTANTIATE_TEST_SUITE_P(EntropyRectification,
                          DriftedWorld,
                          testing::Values(makeRoomWorld, makeCornerWorld, makeLoopWorld),
                          [](const auto& at) { return at.param(1).name; });
+
+/** On worlds and seeds that its constants were not chosen with. */
+TEST(EntropyRectification, tellsHowFarPosesMayStillBeWrong)
+{
+  int told = 0, within = 0;
+  for (const auto make : {makeRoomWorld,
+                          makeCornerWorld,
+                          makeLoopWorld,
+                          makeAlikeRoomsWorld,
+                          makeCombWorld})
+    for (const std::uint64_t seed : {51, 52, 53, 54, 55}) {
+      const World world = make(seed);
+      const auto odometry = drifted(world.truth.poses, drift, seed);
+      Rectification rectification = rectificationOf(world.truth, odometry);
+      rectification.compute();
+      const std::optional<double> left = rectification.getReport().expected_error;
+      if (!left)
+        continue;
+      ++told;
+      const double error =
+          largestError(planarPosesOf(rectification), world.truth.poses);
+      within += error < *left;
+    }
+  EXPECT_GT(told, 20);
+  EXPECT_GE(within, 0.95 * told) << told;
+}
 
 /** Windows of neighbours fit well under a small bias of all turns: that does not show that
  * the odometry is more precise than stated. */
@@ -139,6 +176,22 @@ TEST_P(BareCorridor, isNotShrunkWhereItsWallsAreRoughAndTheDriftGreat)
 {
   expectLengthKept(
       {0.12, 0.024, 0.008}, 0.03, static_cast<std::uint64_t>(GetParam()), 0.1);
+}
+
+TEST_P(BareCorridor, tellsThatItsLengthIsNotKnown)
+{
+  const auto seed = static_cast<std::uint64_t>(GetParam());
+  const auto path = pathThrough({{0, 0}, {0, 19.5}}, 0.5);
+  const PosedClouds truth = scanAlong(makeBareCorridorPlan(), path, {}, seed);
+  const std::vector<PlanarPose> odometry = drifted(path, drift, seed);
+  Rectification rectification = rectificationOf(truth, odometry);
+  rectification.compute();
+  const double error = largestError(planarPosesOf(rectification), path);
+  const std::optional<double> left = rectification.getReport().expected_error;
+  if (rectification.getReport().outcome == RectificationOutcome::Rectified) {
+    EXPECT_GT(left.value_or(0), error);
+    EXPECT_GT(left.value_or(0), 0.1) << "nothing shows the way along the walls";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(EntropyRectification, BareCorridor, testing::Range(1, 6));

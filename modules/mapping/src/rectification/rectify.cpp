@@ -1,6 +1,8 @@
 #include "rectification_steps.h"
+#include "remaining_error.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/mapping/impl/rectification_kernel.h>
 
 #include <algorithm>
@@ -94,6 +96,51 @@ searchAlongAxes(const RectificationTask& task,
              : poses;
 }
 
+OdometryNoise
+scaled(OdometryNoise noise, double factor)
+{
+  for (double* const sigma :
+       {&noise.length, &noise.length_per_metre, &noise.turn, &noise.turn_per_radian})
+    *sigma *= factor;
+  return noise;
+}
+
+/** Tells how far the poses of the map that is rectified or kept may still be wrong. */
+void
+tellRemainingError(const RectificationTask& task,
+                   const std::vector<PlanarPose>& given,
+                   const std::vector<PlanarPose>& result)
+{
+  constexpr double contradicted = 0.2; // share of rays, where parts lie wrongly
+  constexpr double told = 0.1;         // metres
+  constexpr double doubtful = 2; // moves: of a map that hardly changed it is no news
+  constexpr double seen_again =
+      0.2; // share of rays that end on walls of far observations
+  EntropyRectificationReport& report = task.report;
+  if (report.after.far_contradictions > contradicted) {
+    report.remarks.emplace_back("parts of the map contradict each other: how far the "
+                                "poses are wrong is not known");
+    return;
+  }
+  report.expected_error = remainingError(
+      task.observations,
+      result,
+      given,
+      scaled(task.settings.odometry, std::max(1.0, report.odometry_scale)),
+      task.settings.bin_size);
+  const double left = report.expected_error.value_or(0);
+  if (report.outcome == RectificationOutcome::Rectified && left > told &&
+      report.after.far_rays < seen_again &&
+      left < doubtful * *std::max_element(report.moved.begin(), report.moved.end()))
+    report.remarks.push_back(
+        "poses may still be wrong by " + shortNumber(left) +
+        " m (95 %): no place is seen again, and the walls of neighbouring observations "
+        "do "
+        "not tell everywhere how far they are apart; for clouds in space, "
+        "PlaneAdjustment "
+        "(--6dof) also uses what floors, ceilings and small planes tell");
+}
+
 /** Reason why the observations do not determine their poses; empty if they do. */
 std::string
 whatHinders(EntropySearch& search,
@@ -135,6 +182,9 @@ rectify(const std::vector<LevelledPoints>& observations,
       report.outcome == RectificationOutcome::Refused)
     report.remarks.push_back("the poses are as they came: " + report.reason);
   tellMoves(poses, result, report);
+  if (report.outcome == RectificationOutcome::Rectified ||
+      report.outcome == RectificationOutcome::Kept)
+    tellRemainingError(task, poses, result);
   return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -144,6 +145,10 @@ struct EntropyRectificationReport : Report {
   double odometry_scale = 1;      ///< factor of OdometryNoise that was assumed
   double strongest_action = 0;    ///< largest residual of an action, in sigmas
   double disagreement = 0;        ///< metres, rms, between the two best candidates
+  /** \brief Metres, 95 %: how far the position of the pose that is known least, relative to
+   * the first one, may be wrong in the map that was rectified or kept, by an estimate from
+   * neighbouring walls and the odometry that is independent of the entropy. */
+  std::optional<double> expected_error;
   std::vector<RectificationStep> steps;
   MapEvidence before, after;  ///< after: of the best candidate, even if refused
   std::vector<double> moved;  ///< metres, for each observation
@@ -169,6 +174,7 @@ visitFields(const EntropyRectificationReport& report, Visitor&& visit)
   visit({"odometry_scale"}, report.odometry_scale);
   visit({"strongest_action"}, report.strongest_action);
   visit({"disagreement", "m"}, report.disagreement);
+  visit({"expected_error", "m"}, report.expected_error);
   visit({"before"}, report.before);
   visit({"after"}, report.after);
   visit({"moved", "m"}, report.moved);

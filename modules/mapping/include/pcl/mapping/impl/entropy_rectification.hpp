@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/planar_pose.h>
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/mapping/impl/plane_adjustment_kernel.h>
@@ -94,6 +95,8 @@ EntropyRectification<PointT>::compute()
     throw acmap::InitFailed("no point cloud was added");
   EntropyRectificationReport report;
   acmap::StepTimer timer(report);
+  acmap::addRemarks(report,
+                    acmap::lengthRemarks(acmap::pointsOf(*this->loaders_.front()())));
   std::vector<acmap::LevelledPoints> observations(this->poses_.size());
   std::vector<PlanarPose> poses;
   const Eigen::Quaterniond upright =
