@@ -83,7 +83,8 @@ run(Tool& tool, const ChainOptions& options)
     figures = compareMap(options, made.state(), told, *truth);
   tellChain(options, input.start, made.stages(), figures, tool.log());
   saveReportPage(options.output + "/report.html", tool.fullReport(), options.output);
-  requireAllObservations(told.details, options.output);
+  if (made.missing())
+    made.missing()->fail(options.output);
 }
 
 /** \brief Works for rank 0, which alone prints and writes. */

@@ -1,11 +1,11 @@
 #include "cloud_labels.h"
 #include "command_line.h"
-#include "length_check.h"
 #include "memory.h"
 #include "output_target.h"
 #include "tool.h"
 
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/map_file.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/texture/compact_map_folder.h>
@@ -203,10 +203,10 @@ isThere(const fs::path& path)
 }
 
 void
-note(const PointCloudFile& file, double scale, std::vector<std::string>& remarks)
+note(const PointCloudFile& file, std::vector<std::string>& remarks)
 {
   remarks.insert(remarks.end(), file.remarks.begin(), file.remarks.end());
-  const std::vector<std::string> lengths = lengthRemarks(file.points(), 0, scale);
+  const std::vector<std::string> lengths = lengthRemarks(file.points());
   remarks.insert(remarks.end(), lengths.begin(), lengths.end());
 }
 
@@ -218,7 +218,7 @@ loadFile(const std::string& path, double scale)
   if (cloudExtent(file.points.points()).finite_points == 0)
     throw NothingFound(path + ": nothing to show, no point is finite");
   ViewerInput input;
-  note(file.points, scale, input.remarks);
+  note(file.points, input.remarks);
   input.sensor_origin = sensorOf(file.points);
   input.sensor_orientation = file.points.sensor_orientation;
   input.up = file.points.up;
@@ -235,7 +235,7 @@ void
 loadCloudOf(const fs::path& folder, ViewerInput& input)
 {
   PointCloudFile cloud = loadPointCloud((folder / "map.pcd").string());
-  note(cloud, 1, input.remarks);
+  note(cloud, input.remarks);
   input.scene.points = std::move(cloud.cloud);
 }
 
@@ -243,7 +243,7 @@ void
 loadMeshOf(const fs::path& folder, ViewerInput& input)
 {
   SceneFile mesh = loadScene((folder / "mesh.ply").string());
-  note(mesh.points, 1, input.remarks);
+  note(mesh.points, input.remarks);
   input.scene.vertices = std::move(mesh.points.cloud);
   input.scene.mesh = std::move(mesh.mesh);
 }

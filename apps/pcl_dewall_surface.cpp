@@ -266,7 +266,6 @@ meshCloud(const Options& options, const RunControls& controls, StageLog& log)
   timer.finish("triangulate");
   log.warn(input.file.remarks);
   log.warn(report.remarks);
-  log.warn(lengthRemarks(input.points(), report.median_spacing, controls.scale));
   if (scratch && scratch->getRefused() > 0)
     log.warn(options.output + ": the disk is full, " +
              gigabytes(scratch->getRefused()) + " of arrays stayed in memory");

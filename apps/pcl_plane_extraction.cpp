@@ -1,6 +1,5 @@
 #include "cloud_labels.h"
 #include "drawn_apart.h"
-#include "length_check.h"
 #include "output_target.h"
 #include "plane_extraction/extraction.h"
 
@@ -146,9 +145,6 @@ run(const Options& options, const RunControls& controls, StageLog& log)
                                                 log,
                                                 std::move(triangles));
   log.warn(file->remarks);
-  log.warn(lengthRemarks(found.vertices ? requirePoints(found.vertices) : PointView(),
-                         found.spacing,
-                         controls.scale));
   requirePlanes(options.input, found, log);
   StepTimer write_timer(log.report);
   writeOutputs(options, found, *file);

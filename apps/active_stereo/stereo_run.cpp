@@ -5,6 +5,7 @@
 #include "output_target.h"
 
 #include <pcl/conversions.h>
+#include <pcl/core/impl/folder_entries.h>
 #include <pcl/core/rig_cameras.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/pipeline/observation_files.h>

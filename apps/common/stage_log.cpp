@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 
 namespace pcl::acmap {
 
@@ -73,13 +72,6 @@ saveJson(const std::string& path, const Json& json, int indent)
   file.commit();
 }
 
-bool
-isPlainName(const std::string& name)
-{
-  return !name.empty() && name != "." && name != ".." &&
-         name.find_first_of(std::string("/\0", 2)) == std::string::npos;
-}
-
 double
 totalSeconds(const StageLog& log)
 {
@@ -87,15 +79,6 @@ totalSeconds(const StageLog& log)
   for (const auto& step : log.report.seconds)
     sum += step.second;
   return sum;
-}
-
-std::string
-shortNumber(double value)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
 }
 
 void

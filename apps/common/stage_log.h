@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/progress.h>
 #include <pcl/core/report.h>
 
@@ -78,17 +79,8 @@ readJson(const std::string& path);
 void
 saveJson(const std::string& path, const nlohmann::ordered_json& json, int indent);
 
-/** \brief Does a file name from such a file stay in its folder? The file may come from
- * an untrusted source. */
-bool
-isPlainName(const std::string& name);
-
 /** \brief Sum over all steps. */
 double
 totalSeconds(const StageLog& log);
-
-/** \brief Formats a number with a few significant digits, for the summary. */
-std::string
-shortNumber(double value);
 
 } // namespace pcl::acmap

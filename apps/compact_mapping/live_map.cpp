@@ -57,7 +57,15 @@ LiveMap::LiveMap(const ChainOptions& options,
 , folder_(std::move(observations))
 , window_(window)
 {
-  setUp(rig, threads);
+  mapping_.setNumberOfThreads(threads);
+  mapping_.setSettings(settingsOf(options_, threads));
+  withDepths([&] {
+    return setUpStereo(rig,
+                       options_.stereo.sessionSettings(threads),
+                       memoryCheck(),
+                       mapping_.fusion(),
+                       mapping_.backProjection());
+  });
   mapping_.setObservationFolder(folder_);
   if (!options_.earlier.empty())
     mapping_.setEarlierObservations(openMappedObservations(options_.earlier));
@@ -82,39 +90,10 @@ LiveMap::removeObservations() const
   fs::remove(fs::path(folder_).parent_path(), ignored); // if nothing else is in it
 }
 
-/** Sets all steps as the stages of the chain set theirs. */
 void
-LiveMap::setUp(const TrinocularRig& rig, unsigned threads)
+LiveMap::keepProcessed(const std::string& fault)
 {
-  mapping_.setNumberOfThreads(threads);
-  if (options_.planes.paper)
-    mapping_.setMode(MappingMode::Paper);
-  withDepths([&] {
-    return setUpStereo(rig,
-                       options_.stereo.sessionSettings(threads),
-                       memoryCheck(),
-                       mapping_.fusion(),
-                       mapping_.backProjection());
-  });
-  VisualOdometry odometry;
-  odometry.setEgomotion(options_.egomotion.stage);
-  mapping_.setVisualOdometry(odometry);
-  CompactMapping::Levelling levelling;
-  if (options_.rectification.up)
-    levelling.setUpDirection(*options_.rectification.up);
-  mapping_.setLevelling(levelling);
-  mapping_.setRectification(options_.rectification.stage);
-  mapping_.setRectify(options_.rectifies);
-  mapping_.setAdjust(options_.egomotion.isRigid());
-  mapping_.setMerging(mergingOf(options_, threads));
-  mapping_.setPlaneMapping(mappingOf(options_.planes, threads));
-  mapping_.setTexturing(options_.texture.stage);
-}
-
-void
-LiveMap::keepProcessed(const std::string& fault, StageLog& log)
-{
-  log.details["ended_by"] = fault;
+  ended_by_ = fault;
   mapping_.keepProcessed();
   is_partial_ = true;
 }
@@ -194,7 +173,7 @@ LiveMap::finish(const PicturesApart& pictures,
   catch (const OutputFileException&) {
     if (is_partial_)
       throw;
-    keepProcessed(failureOf(std::current_exception()).line, log);
+    keepProcessed(failureOf(std::current_exception()).line);
     mapping_.compute(map);
   }
   const MappedPlanes& found = mapping_.getMappedPlanes();
@@ -219,6 +198,8 @@ LiveMap::finish(const PicturesApart& pictures,
       std::find(names.begin(), names.end(), pictureName("outside.png")) != names.end();
   tellLateness(recorded, log);
   log.details["observations"] = observations();
+  if (!ended_by_.empty())
+    log.details["ended_by"] = ended_by_;
   log.details["seconds_after_last_shot"] = after;
   log.tell("map",
            shortNumber(after) + " s after the last shot" +
@@ -234,14 +215,19 @@ partialMapText(std::size_t observations, const std::string& output)
          output;
 }
 
-void
-requireAllObservations(const nlohmann::ordered_json& details, const std::string& output)
+std::optional<MissingObservations>
+LiveMap::missing() const
 {
-  if (!details.contains("ended_by"))
-    return;
-  const std::string by = details["ended_by"];
-  const std::string line = by + "; " + partialMapText(details["observations"], output);
-  if (by == "interrupted")
+  if (ended_by_.empty())
+    return std::nullopt;
+  return MissingObservations{ended_by_, observations()};
+}
+
+void
+MissingObservations::fail(const std::string& output) const
+{
+  const std::string line = ended_by + "; " + partialMapText(observations, output);
+  if (ended_by == by_the_user)
     throw InterruptedPartway(line);
   throw OutputFileException(line);
 }
@@ -278,10 +264,7 @@ private:
 
 /** \brief Adds all observations as they come, up to an interruption or a fault. */
 void
-replay(const SessionSource& session,
-       const RunControls& controls,
-       LiveMap& map,
-       StageLog& log)
+replay(const SessionSource& session, const RunControls& controls, LiveMap& map)
 {
   constexpr double share = 0.5; // of the progress
   const Progress progress(controls.progress);
@@ -297,16 +280,16 @@ replay(const SessionSource& session,
     if (map.observations() == 0)
       throw;
     forgetInterruption();
-    log.details["ended_by"] = "interrupted";
+    map.noteInterrupted();
   }
   catch (const OutputFileException&) {
-    map.keepProcessed(failureOf(std::current_exception()).line, log);
+    map.keepProcessed(failureOf(std::current_exception()).line);
   }
 }
 
 } // namespace
 
-std::vector<std::string>
+ReplayedMap
 mapAsRecorded(const ChainOptions& options,
               const std::string& observations,
               const PicturesApart& pictures,
@@ -327,10 +310,12 @@ mapAsRecorded(const ChainOptions& options,
                        settings);
   });
   map.emplace(options, session->rig(), observations, controls.threads, window);
-  replay(*session, controls, *map, log);
-  std::vector<std::string> names = map->finish(pictures, folder, controls, log);
+  replay(*session, controls, *map);
+  ReplayedMap made;
+  made.files = map->finish(pictures, folder, controls, log);
+  made.missing = map->missing();
   warnOfFindings(log, session->remarks());
-  return names;
+  return made;
 }
 
 } // namespace pcl::acmap

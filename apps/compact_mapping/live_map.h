@@ -17,6 +17,20 @@ namespace pcl::acmap {
 
 class LiveWindow;
 
+/** \brief A recording that ended early, of which a map was made. */
+struct MissingObservations {
+  std::string ended_by;         ///< a line; \ref by_the_user
+  std::size_t observations = 0; ///< of the map
+
+  /** \brief Fails after the map was written.
+   * \param[in] output folder of the map
+   * \throws InterruptedPartway, OutputFileException naming what ended the recording */
+  [[noreturn]] void
+  fail(const std::string& output) const;
+};
+
+inline constexpr const char* by_the_user = "interrupted";
+
 /** \brief The map of observations that are still being made (\ref CompactMapping::start):
  * of a camera, or of a session that is replayed. */
 class LiveMap {
@@ -72,7 +86,14 @@ public:
    * disk.
    * \param[in] fault one line */
   void
-  keepProcessed(const std::string& fault, StageLog& log);
+  keepProcessed(const std::string& fault);
+
+  /** \brief The user has ended the recording. */
+  void
+  noteInterrupted()
+  {
+    ended_by_ = by_the_user;
+  }
 
   /** \brief Keeps the observations, though there will be no map. */
   void
@@ -83,7 +104,7 @@ public:
 
   /** \brief Completes the map, writes it as \ref makeMap does, and tells how long that took
    * after the last observation, and how late the mapping was. A full disk on the way is
-   * told, too, see \ref requireAllObservations.
+   * told, too, see \ref missing.
    * \param[in,out] folder is committed
    * \return names of the files
    * \throws NothingFound when there is no plane */
@@ -93,11 +114,12 @@ public:
          const RunControls& controls,
          StageLog& log);
 
+  /** \brief What ended the recording before its end. */
+  std::optional<MissingObservations>
+  missing() const;
+
 private:
   using Clock = std::chrono::steady_clock;
-
-  void
-  setUp(const TrinocularRig& rig, unsigned threads);
 
   void
   removeObservations() const;
@@ -113,6 +135,7 @@ private:
   LiveWindow* window_;
   bool is_kept_ = false;
   bool is_partial_ = false;                ///< \ref keepProcessed was called
+  std::string ended_by_;                   ///< of \ref missing
   std::optional<Clock::time_point> begin_; ///< of the first observation
   std::optional<std::size_t> made_of_;     ///< observations of the finished map
 
@@ -130,13 +153,11 @@ private:
 std::string
 partialMapText(std::size_t observations, const std::string& output);
 
-/** \brief Fails after a map of a part of the observations was written.
- * \param[in] details of the log that the \ref LiveMap told
- * \param[in] output folder of the map
- * \throws InterruptedPartway, OutputFileException naming what ended the recording */
-void
-requireAllObservations(const nlohmann::ordered_json& details,
-                       const std::string& output);
+/** \brief What a replay has made. */
+struct ReplayedMap {
+  std::vector<std::string> files; ///< their names
+  std::optional<MissingObservations> missing;
+};
 
 /** \brief Replays a session at the pace at which it was recorded, and maps it while its
  * frames arrive.
@@ -146,9 +167,8 @@ requireAllObservations(const nlohmann::ordered_json& details,
  * \param[in] observations folder for these; it is removed if there is no map
  * \param[in] window may be null
  * \param[in,out] folder is committed
- * \return names of the files
  * \throws NothingFound when there is no plane */
-std::vector<std::string>
+ReplayedMap
 mapAsRecorded(const ChainOptions& options,
               const std::string& observations,
               const PicturesApart& pictures,

@@ -34,26 +34,6 @@ using Json = nlohmann::ordered_json;
 constexpr const char* first_stage = "observations";
 constexpr const char* last_stage = "map";
 
-/** The settings of all stages but the first and the last one. */
-ChainSettings
-settingsOf(const ChainOptions& options, unsigned threads)
-{
-  ChainSettings settings;
-  if (options.planes.paper)
-    settings.mode = MappingMode::Paper;
-  settings.odometry.setEgomotion(options.egomotion.stage);
-  if (options.rectification.up)
-    settings.levelling.setUpDirection(*options.rectification.up);
-  settings.rectification = options.rectification.stage;
-  settings.rectify = options.rectifies;
-  settings.adjust = options.egomotion.isRigid();
-  settings.skip_broken = options.texture.skip_broken;
-  settings.merging = mergingOf(options, threads);
-  settings.planes = mappingOf(options.planes, threads);
-  settings.texturing = options.texture.stage;
-  return settings;
-}
-
 StageLog
 logIn(const std::string& told, const std::string& stage, const StageStore& store)
 {
@@ -112,6 +92,25 @@ tellMerging(const MergingReport& report, std::size_t max_points, StageLog& log)
 }
 
 } // namespace
+
+ChainSettings
+settingsOf(const ChainOptions& options, unsigned threads)
+{
+  ChainSettings settings;
+  if (options.planes.paper)
+    settings.mode = MappingMode::Paper;
+  settings.odometry.setEgomotion(options.egomotion.stage);
+  if (options.rectification.up)
+    settings.levelling.setUpDirection(*options.rectification.up);
+  settings.rectification = options.rectification.stage;
+  settings.rectify = options.rectifies;
+  settings.adjust = options.egomotion.isRigid();
+  settings.skip_broken = options.texture.skip_broken;
+  settings.merging = mergingOf(options, threads);
+  settings.planes = mappingOf(options.planes, threads);
+  settings.texturing = options.texture.stage;
+  return settings;
+}
 
 void
 tellExtension(const SequenceAlignmentReport& report, StageLog& log)
@@ -347,11 +346,10 @@ MapRun::tellPassing(const std::string& stage, const ChainState& state)
     for (const auto& step : state.stage.seconds)
       map_log_.report.seconds.push_back(step);
   if (stage == "cloud" || stage == "merging") {
-    const PointView points = requirePoints(state.cloud.rows);
-    warnOfLengths(points, controls_, map_log_);
     if (const double size = options_.planes.stage.getConsolidation().getVoxelSize();
         size > 0)
-      requireFineLength("--consolidate", size, points, map_log_);
+      requireFineLength(
+          "--consolidate", size, requirePoints(state.cloud.rows), map_log_);
   }
   if (stage == "merging")
     tellMerging(report.merging, options_.max_points, map_log_);
@@ -393,13 +391,15 @@ MapRun::replay()
   const StageStore& store = chain_.getStore();
   OpenStage open = store.begin(last_stage, key, options_.output);
   try {
-    open.setResults(mapAsRecorded(options_,
-                                  store.path("replay"),
-                                  pictures_,
-                                  window.get(),
-                                  folder_,
-                                  controls_,
-                                  map_log_));
+    ReplayedMap made = mapAsRecorded(options_,
+                                     store.path("replay"),
+                                     pictures_,
+                                     window.get(),
+                                     folder_,
+                                     controls_,
+                                     map_log_);
+    open.setResults(std::move(made.files));
+    missing_ = std::move(made.missing);
   }
   catch (const InterruptedPartway&) {
     open.keepParts();

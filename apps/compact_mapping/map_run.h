@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chain_options.h"
+#include "live_map.h"
 
 #include <pcl/core/output_folder.h>
 #include <pcl/pipeline/chain.h>
@@ -22,6 +23,11 @@ struct RunStage {
   /** \brief Results of an earlier run that this run does not have. */
   std::vector<std::string> removed;
 };
+
+/** \brief The settings of all stages but the first and the last one.
+ * \param[in] threads 0 = all */
+ChainSettings
+settingsOf(const ChainOptions& options, unsigned threads);
 
 /** \brief Reports how observations were joined to an earlier map. */
 void
@@ -67,6 +73,13 @@ public:
     return chain_.state();
   }
 
+  /** \brief What ended a replay before its end. */
+  const std::optional<MissingObservations>&
+  missing() const
+  {
+    return missing_;
+  }
+
 private:
   void
   setInput(const MapInput& input);
@@ -108,6 +121,7 @@ private:
   StageLog first_log_; ///< of the stage that makes the observations
   StageLog map_log_;
   std::vector<RunStage> stages_;
+  std::optional<MissingObservations> missing_;
 };
 
 } // namespace pcl::acmap

@@ -27,13 +27,16 @@ constexpr const char* unknown = "–";
 
 const Json nothing;
 
-/** \param[in] path of a field in objects and lists, such as "truth/compactness"
+/** \param[in] path of a field in objects, such as "truth/compactness"
  * \return null if there is no such field */
 const Json&
 fieldOf(const Json& json, std::string_view path)
 {
-  const Json::json_pointer pointer("/" + std::string(path));
-  return json.contains(pointer) ? json.at(pointer) : nothing;
+  const std::size_t slash = path.find('/');
+  const auto found = json.find(std::string(path.substr(0, slash)));
+  if (found == json.end())
+    return nothing;
+  return slash == path.npos ? *found : fieldOf(*found, path.substr(slash + 1));
 }
 
 /** A field that is a list, otherwise null. */
@@ -293,9 +296,10 @@ equationOf(const Json& plane)
       "\u00A0x +\u00A0", "\u00A0y +\u00A0", "\u00A0z +\u00A0", "\u00A0=\u00A00"};
   // resolution: 0.006 degrees for the normal, 0.1 mm for the offset
   constexpr int digits = 4;
+  const Json& coefficients = listOf(plane, "coefficients");
   std::string text;
   for (std::size_t i = 0; i < factors.size(); ++i) {
-    const auto value = numberIn(fieldOf(plane, "coefficients/" + std::to_string(i)));
+    const auto value = numberIn(i < coefficients.size() ? coefficients[i] : nothing);
     if (!value)
       return unknown;
     text += fixedText(*value, digits) + factors[i];

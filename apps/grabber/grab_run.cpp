@@ -396,7 +396,8 @@ public:
       map_->is_finishing = true;
       map_->map->finish(PicturesApart(false, log_), map_->folder, controls, log_);
       map_->is_finished = true;
-      requireAllObservations(log_.details, map_->settings.output);
+      if (const auto missing = map_->map->missing())
+        missing->fail(map_->settings.output);
     }
   }
 
@@ -515,7 +516,7 @@ private:
       if (failure.code == exit_interrupted)
         forgetInterruption();
       else
-        map_->map->keepProcessed(failure.line, log_);
+        map_->map->keepProcessed(failure.line);
       try {
         map_->map->finish(PicturesApart(false, log_), map_->folder, controls, log_);
         return "; " + partialMapText(map_->map->observations(), map_->settings.output);

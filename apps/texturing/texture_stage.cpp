@@ -1,10 +1,10 @@
 #include "texture_stage.h"
 
-#include "length_check.h"
 #include "memory.h"
 #include "setter_option.h"
 #include "stage_reports.h"
 
+#include <pcl/core/impl/length_remarks.h>
 #include <pcl/pipeline/cost_callback.h>
 #include <pcl/point_types.h>
 #include <pcl/texture/plane_texturing.h>
@@ -132,7 +132,7 @@ paintPlanes(const CompactMap& surfaces,
       remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
       // otherwise the merging has already reported them
       if (i == 0 && log.report.remarks.empty())
-        warnOfLengths(seen.file->points(), controls, log);
+        log.warn(lengthRemarks(seen.file->points()));
       return TexturedObservation{
           sharedCloud(seen.file), seen.T_map_camera, sequence.stamp(i), true};
     }

@@ -2,7 +2,6 @@
 
 #include "egomotion_pictures.h"
 #include "fields_json.h"
-#include "length_check.h"
 #include "output_target.h"
 
 #include <pcl/core/impl/cloud_fields.h>
@@ -439,8 +438,9 @@ run(const EgomotionOptions& options,
       dropUnwritableFields(cloud);
       saveObservation(folder.path(list.outputs[index]), cloud, T_map_camera);
     });
-  warnOfLengths(list.sequence.load(0).file->points(), controls, log);
-  return odometry.compute(list.sequence);
+  VisualOdometryResult found = odometry.compute(list.sequence);
+  log.warn(odometry.getReport().remarks);
+  return found;
 }
 
 /** \param[in] length of the way, metres */

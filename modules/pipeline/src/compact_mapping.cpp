@@ -1,5 +1,5 @@
 #include "chain/chain_stages.h"
-#include "observation_stream.h"
+#include "live/observation_stream.h"
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
@@ -152,16 +152,14 @@ CompactMapping::finishObservation()
 
 void
 CompactMapping::add(std::shared_ptr<const PointCloudFile> cloud,
-                    const std::optional<Eigen::Isometry3d>& T_map_camera)
+                    const std::optional<acmap::RigidMotion>& T_map_camera)
 {
   if (!cloud)
     throw acmap::BadArgument("an observation needs a cloud");
   acmap::requirePoints(CloudRows::of(cloud->cloud)); // else a thread would find out
-  if (T_map_camera && !acmap::isRigid(*T_map_camera, acmap::float_pose_tolerance))
-    throw acmap::BadArgument("the pose of an observation is no rigid motion");
-  poses_.push_back(T_map_camera);
-  if (T_map_camera && !acmap::isRigid(*T_map_camera)) // rounded to floats
-    poses_.back() = acmap::asInFiles(*T_map_camera);
+  poses_.emplace_back();
+  if (T_map_camera)
+    poses_.back() = T_map_camera->get();
   if (stream_)
     stream_->add(std::move(cloud), poses_.back());
   else

@@ -1,4 +1,4 @@
-#include "chain_stages.h"
+#include "chain/chain_stages.h"
 #include "part_of_progress.h"
 
 #include <pcl/core/exceptions.h>

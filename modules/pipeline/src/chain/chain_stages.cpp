@@ -1,4 +1,4 @@
-#include "chain_stages.h"
+#include "chain/chain_stages.h"
 #include "part_of_progress.h"
 
 #include <pcl/pipeline/ranked_work.h>
@@ -21,13 +21,6 @@ constexpr const char* before_name = "trajectory_before.txt";
 constexpr double odometry_end = 0.2, extension_end = 0.22, rectification_end = 0.45,
                  adjustment_end = 0.5, merging_end = 0.6, planes_end = 0.8,
                  texture_end = 0.95;
-
-void
-addRemarks(const Report& step, ChainState& state)
-{
-  std::vector<std::string>& remarks = state.stage.remarks;
-  remarks.insert(remarks.end(), step.remarks.begin(), step.remarks.end());
-}
 
 void
 setPoses(ChainState& state, EstimatedPoses poses)
@@ -126,7 +119,7 @@ runExtension(ChainState& state,
   const EstimatedPoses poses = open.put(
       extendedPoses(joined, state.earlier->size(), alignment, state.estimated.noise));
   state.report.extension = alignment.getReport();
-  addRemarks(*state.report.extension, state);
+  addRemarks(state.stage, state.report.extension->remarks);
   state.observations = joined;
   setPoses(state, poses);
   takeNoise(state, settings);
@@ -168,7 +161,7 @@ levelAll(ChainState& state, const ChainSettings& settings, unsigned threads)
   const bool is_on_a_floor = areOnAFloor(state.rectified.trajectory.poses);
   state.report.levelling =
       levelObservations(levellingOf(state, settings), state.rectified, threads);
-  addRemarks(*state.report.levelling, state);
+  addRemarks(state.stage, state.report.levelling->remarks);
   if (state.report.levelling->tilt > strong && is_on_a_floor)
     state.stage.remarks.push_back(
         "the map was not level, but its poses turn about y only: where a hand held the "
@@ -200,7 +193,7 @@ consolidateAll(ChainState& state, const ChainSettings& settings, const StageRun&
   }
   consolidation.compute(sequence, state.rectified);
   state.report.consolidation = consolidation.getReport();
-  addRemarks(*state.report.consolidation, state);
+  addRemarks(state.stage, state.report.consolidation->remarks);
   if (state.report.consolidation->points == 0)
     throw EmptyInputException(sequence.folder().empty()
                                   ? "no observation has a point"
@@ -231,7 +224,7 @@ runRectification(ChainState& state,
                                 observations.weights[i]);
   rectification.compute();
   state.report.rectification = rectification.getReport();
-  addRemarks(*state.report.rectification, state);
+  addRemarks(state.stage, state.report.rectification->remarks);
   EstimatedPoses poses = {
       observations.places, observations.trajectory, std::nullopt, std::nullopt};
   if (state.report.levelling->found)
@@ -260,7 +253,7 @@ runAdjustment(ChainState& state,
   adjustment.compute(sequence, poses.trajectory);
   state.report.adjustment = adjustment.getReport();
   state.report.revisits = adjustment.getRevisitReport();
-  addRemarks(*state.report.adjustment, state);
+  addRemarks(state.stage, state.report.adjustment->remarks);
   for (std::size_t i = 0; i < sequence.size(); ++i)
     poses.places.push_back(i);
   poses.up = state.estimated.up;
@@ -292,7 +285,7 @@ runMerging(ChainState& state,
   MergedCloud merged;
   merging.compute(*state.observations, merged);
   state.report.merging = merging.getReport();
-  addRemarks(state.report.merging, state);
+  addRemarks(state.stage, state.report.merging.remarks);
   state.cloud = {
       std::move(merged.cloud), nullptr, std::move(merged.viewpoints), std::nullopt};
   timer.finish("read");
@@ -318,7 +311,7 @@ runPlanes(ChainState& state,
   planes.setProgressCallback(run.progress);
   planes.compute(state.planes);
   state.report.planes = planes.getReport();
-  addRemarks(state.report.planes, state);
+  addRemarks(state.stage, state.report.planes.remarks);
   timer.finish("planes");
 }
 
@@ -360,7 +353,7 @@ runTexturing(ChainState& state,
     run.cost("painting the planes", wholeBytes(texturing.estimateMemory()), 0);
   texturing.texture(map);
   state.report.texture = texturing.getReport();
-  addRemarks(state.report.texture, state);
+  addRemarks(state.stage, state.report.texture.remarks);
   map.boxes = found.boxes;
   map.recesses = found.recesses;
   if (state.observations) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "observation_stream.h"
+#include "live/observation_stream.h"
 
 #include <pcl/pipeline/chain.h>
 

@@ -1,4 +1,4 @@
-#include "stage_folder.h"
+#include "chain/stage_folder.h"
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/exceptions.h>
@@ -28,9 +28,7 @@ bool
 isResultName(const std::string& name)
 {
   const bool is_picture = name.rfind(picture_folder, 0) == 0;
-  const std::string plain = is_picture ? name.substr(picture_folder.size()) : name;
-  return !plain.empty() && plain != "." && plain != ".." &&
-         plain.find_first_of(std::string("/\0", 2)) == std::string::npos;
+  return isPlainName(is_picture ? name.substr(picture_folder.size()) : name);
 }
 
 /** \return a discarded value if there is no such file, it is no JSON, or nested deeper

@@ -1,4 +1,4 @@
-#include "stage_folder.h"
+#include "chain/stage_folder.h"
 
 #include <pcl/core/exceptions.h>
 #include <pcl/pipeline/fingerprint.h>

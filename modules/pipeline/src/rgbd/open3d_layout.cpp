@@ -1,4 +1,4 @@
-#include "file_ending.h"
+#include "observations/file_ending.h"
 #include "rgbd/layouts.h"
 #include "rgbd/text_rows.h"
 

@@ -6,6 +6,7 @@
 #include "spacing.h"
 #include "triangle_builder.h"
 
+#include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/impl/parallel.h>
 
 #include <atomic>
@@ -169,6 +170,7 @@ triangulate(const DeWallInput& input,
   timer.finish("cells");
   remarkOnInput(report);
   if (tree.size() < 3) {
+    addRemarks(report, lengthRemarks(input.points));
     report.remarks.push_back("no triangle: only " + std::to_string(tree.size()) +
                              " distinct finite points");
     return {};
@@ -179,6 +181,7 @@ triangulate(const DeWallInput& input,
   const SizeConstraint size = settings.maximum_edge_length > 0
                                   ? SizeConstraint(tree, settings.maximum_edge_length)
                                   : SizeConstraint(tree, spacing);
+  addRemarks(report, lengthRemarks(input.points, report.median_spacing));
   report.min_maximum_edge = size.minimum();
   report.largest_maximum_edge = size.largest();
   timer.finish("spacing");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -19,6 +20,16 @@ struct Report {
 };
 
 namespace acmap {
+
+/** \brief Adds the remarks of a step that the report does not have yet. */
+inline void
+addRemarks(Report& report, const std::vector<std::string>& remarks)
+{
+  for (const std::string& remark : remarks)
+    if (std::find(report.remarks.begin(), report.remarks.end(), remark) ==
+        report.remarks.end())
+      report.remarks.push_back(remark);
+}
 
 /** \brief Adds the time since construction, or since the last call, to a report. */
 class StepTimer {

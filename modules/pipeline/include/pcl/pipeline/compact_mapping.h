@@ -221,7 +221,7 @@ public:
   template <typename PointT>
   void
   addObservation(const std::shared_ptr<const PointCloud<PointT>>& cloud,
-                 const Eigen::Isometry3d& T_map_camera)
+                 const acmap::RigidMotion& T_map_camera)
   {
     add(fileOf(cloud), T_map_camera);
   }
@@ -229,7 +229,7 @@ public:
   template <typename PointT>
   void
   addObservation(const std::shared_ptr<PointCloud<PointT>>& cloud,
-                 const Eigen::Isometry3d& T_map_camera)
+                 const acmap::RigidMotion& T_map_camera)
   {
     addObservation(std::shared_ptr<const PointCloud<PointT>>(cloud), T_map_camera);
   }
@@ -238,7 +238,7 @@ public:
    * shared. */
   void
   addObservation(std::shared_ptr<const PointCloudFile> cloud,
-                 const std::optional<Eigen::Isometry3d>& T_map_camera = std::nullopt)
+                 const std::optional<acmap::RigidMotion>& T_map_camera = std::nullopt)
   {
     add(std::move(cloud), T_map_camera);
   }
@@ -292,6 +292,21 @@ public:
    * observation: to be called before they are added. */
   void
   setMode(MappingMode mode);
+
+  /** \brief Sets all steps at once, and the mode with its fusion; as \ref setMode, to be
+   * called before frames are added. */
+  void
+  setSettings(const acmap::ChainSettings& settings)
+  {
+    setMode(settings.mode);
+    settings_ = settings;
+  }
+
+  const acmap::ChainSettings&
+  getSettings() const
+  {
+    return settings_;
+  }
 
   MappingMode
   getMode() const
@@ -491,7 +506,7 @@ private:
 
   void
   add(std::shared_ptr<const PointCloudFile> cloud,
-      const std::optional<Eigen::Isometry3d>& T_map_camera);
+      const std::optional<acmap::RigidMotion>& T_map_camera);
 
   ObservationSequence
   collected();

@@ -17,4 +17,13 @@ namespace pcl::acmap {
 ACMAP_EXPORT std::vector<std::filesystem::path>
 folderEntries(const std::string& folder);
 
+/** \brief Does a file name, which may come from anybody's file, stay in its folder?
+ * \ingroup core */
+inline bool
+isPlainName(const std::string& name)
+{
+  return !name.empty() && name != "." && name != ".." &&
+         name.find_first_of(std::string("/\0", 2)) == std::string::npos;
+}
+
 } // namespace pcl::acmap

@@ -1,8 +1,19 @@
 #pragma once
 
+#include <sstream>
 #include <string>
 
 namespace pcl::acmap {
+
+/** \brief A number with three significant digits, for messages. */
+inline std::string
+shortNumber(double value)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
 
 /** \brief "640 x 480". */
 template <typename Number>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "odometry_run.h"
-#include "provisional_mapping.h"
+#include "live/provisional_mapping.h"
+#include "motion/odometry_run.h"
 
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/pipeline/compact_mapping_types.h>

@@ -1,4 +1,4 @@
-#include "replaced_planes.h"
+#include "planes/replaced_planes.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "provisional_mapping.h"
+#include "live/provisional_mapping.h"
 
 #include <pcl/conversions.h>
 #include <pcl/pipeline/plane_mapping.h>

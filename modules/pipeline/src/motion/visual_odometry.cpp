@@ -1,5 +1,6 @@
-#include "odometry_run.h"
+#include "motion/odometry_run.h"
 
+#include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/impl/quantile.h>
 
 #include <algorithm>
@@ -121,7 +122,10 @@ VisualOdometry::compute(const ObservationSequence& sequence)
   for (std::size_t i = 0; i < sequence.size(); ++i) {
     done = static_cast<double>(i) / static_cast<double>(sequence.size());
     progress.tell(done, "estimating");
-    run.add(reader.next(), sequence.path(i));
+    acmap::OdometryView view = reader.next();
+    if (i == 0)
+      acmap::addRemarks(report, acmap::lengthRemarks(view.file->points()));
+    run.add(std::move(view), sequence.path(i));
   }
   timer.finish("estimate");
   report_ = std::move(report);

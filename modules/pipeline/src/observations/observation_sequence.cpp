@@ -1,4 +1,4 @@
-#include "observation_cache.h"
+#include "observations/observation_cache.h"
 #include "rgbd/rgbd_reader.h"
 
 #include <pcl/core/exceptions.h>

@@ -1,11 +1,12 @@
 #include "part_of_progress.h"
-#include "replaced_planes.h"
+#include "planes/replaced_planes.h"
 
 #include <pcl/core/cylinder_rims.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/large_memory.h>
+#include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/impl/mesh_input.h>
 #include <pcl/core/impl/up_direction.h>
 #include <pcl/core/noise_scale.h>
@@ -204,8 +205,7 @@ private:
   void
   addRemarks(const Report& step)
   {
-    report_.remarks.insert(
-        report_.remarks.end(), step.remarks.begin(), step.remarks.end());
+    acmap::addRemarks(report_, step.remarks);
   }
 
   /** \return true if the cloud was consolidated: the vertices are then the consolidated
@@ -506,6 +506,8 @@ PlaneMapping::compute(MappedPlanes& result)
   else
     found = run.inSpace(viewpoints_);
   run.findBoxes(found);
+  if (!report.mesh) // else it has told them
+    addRemarks(report, lengthRemarks(points));
   result = std::move(found);
   report_ = std::move(report);
 }

@@ -1,4 +1,4 @@
-#include "locked_reader.h"
+#include "observations/locked_reader.h"
 #include "part_of_progress.h"
 
 #include <pcl/core/exceptions.h>

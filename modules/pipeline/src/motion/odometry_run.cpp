@@ -1,4 +1,4 @@
-#include "odometry_run.h"
+#include "motion/odometry_run.h"
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>

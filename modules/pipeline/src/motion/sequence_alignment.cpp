@@ -1,4 +1,4 @@
-#include "locked_reader.h"
+#include "observations/locked_reader.h"
 
 #include <pcl/core/exceptions.h>
 #include <pcl/egomotion/revisit_detection.h>

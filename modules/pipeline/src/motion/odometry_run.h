@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pose_chain.h"
+#include "motion/pose_chain.h"
 
 #include <pcl/pipeline/visual_odometry.h>
 

@@ -1,4 +1,4 @@
-#include "observation_stream.h"
+#include "live/observation_stream.h"
 
 #include <pcl/conversions.h>
 #include <pcl/core/exceptions.h>
