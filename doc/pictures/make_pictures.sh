@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes the pictures of the simulated corridor and of its rig anew, beside this script.
-# usage: sh make_pictures.sh BIN_FOLDER    where tools, tests' programs and benchmarks are:
+# usage: sh make_pictures.sh BIN_FOLDER    where tools and tests' programs are:
 #        cmake --preset bench && cmake --build build/bench    makes them, in build/bench/bin
 set -eu
 
@@ -34,12 +34,12 @@ mesh() {
   "$bin/pcl_dewall_surface" "$cloud" "$scratch/$name.ply" "$@"
 }
 
-(cd "$scratch" && "$bin/acmap_bench_simulation_figures" picture)
+"$bin/pcl_line_pattern" "$scratch/pattern.png"
+/usr/bin/python3 -c 'import sys; from PIL import Image
+Image.open(sys.argv[1]).reduce(2).quantize(64).save(sys.argv[2], optimize=True)' \
+  "$scratch/pattern.png" "$pictures/line_pattern.png"
 "$bin/draw_rig_calibration" "$scratch"
-(cd "$scratch" && "$bin/acmap_bench_stereo_figures" picture)
-for name in line_pattern simulated_shots rig_calibration stereo_disparities; do
-  cp "$scratch/$name.png" "$pictures/"
-done
+cp "$scratch/rig_calibration.png" "$pictures/"
 
 "$bin/pcl_simulated_rig" -o "$scratch/few" --observations 4 --clouds \
   --merged "$scratch/few/map.pcd"

@@ -126,14 +126,13 @@ const Section entropy_section("entropy", [] {
 });
 
 const Section peers_section("peers", [] {
-  printHead("scene | ratio, median | LUM | CPU s | GICP chain, one seed | CPU s | ELCH "
-            "| CPU s");
+  printHead("scene | ratio, median | LUM | CPU s | ELCH | CPU s");
   for (const std::string& name : adjustedScenes()) {
     const SimulatedScene simulated = standardScene(name);
     const AdjustmentScene scene = makeAdjustmentScene(simulated, noise_seed);
     const RectificationMap map = makeSceneMap(simulated);
     const ObservationPairs pairs = truePairs(map);
-    std::vector<double> ours, ratios[3], seconds[3];
+    std::vector<double> ours, ratios[2], seconds[2];
     for (const std::uint64_t seed : driftSeeds()) {
       const auto given = driftedFreely(scene.truth, FreeDrift(), seed);
       const double before = absoluteTrajectoryError(given, scene.truth).unaligned;
@@ -144,15 +143,12 @@ const Section peers_section("peers", [] {
         seconds[peer].push_back(run.seconds);
       };
       add(0, runLum(map.clouds, given, pairs));
-      if (seed == driftSeeds().front() &&
-          name == adjustedScenes().front()) // it takes minutes
-        add(1, runGicpChain(map.clouds, given));
       if (name == "loop")
-        add(2, runElch(map.clouds, given));
+        add(1, runElch(map.clouds, given));
     }
     Row row;
     row << name << figure(median(ours), 3);
-    for (int peer = 0; peer < 3; ++peer)
+    for (int peer = 0; peer < 2; ++peer)
       if (ratios[peer].empty())
         row << "not run"
             << "";
@@ -202,36 +198,6 @@ const Section blank_section("blank", [] {
             << within(run.length_after - run.length_before, max_percent, 3)
             << nameOf(run.report.outcome);
     }
-});
-
-const Section size_section("size", [] {
-  constexpr double max_seconds = 4;
-  printHead("views | pieces | planes | rounds | ratio | cut, s | adjust, s | CPU s");
-  SimulatedScene scene = standardScene("corridor");
-  const AdjustmentScene short_scene = makeAdjustmentScene(scene, noise_seed);
-  AdjustmentScene long_scene;
-  // The same corridor, ten times in a row.
-  constexpr std::size_t times = 10;
-  const std::size_t views = short_scene.clouds.size();
-  const Eigen::Vector3d along =
-      short_scene.truth[views - 1].translation() - short_scene.truth[5].translation();
-  for (std::size_t part = 0; part < times; ++part)
-    for (std::size_t i = part == 0 ? 0 : 6; i < views; ++i) {
-      Eigen::Isometry3d pose = short_scene.truth[i];
-      pose.translation() += static_cast<double>(part) * along;
-      long_scene.truth.push_back(pose);
-      long_scene.clouds.push_back(short_scene.clouds[i]);
-    }
-  const auto print = [&](const AdjustmentScene& measured, double reach) {
-    const AdjustmentRun run =
-        adjust(measured, driftedFreely(measured.truth, FreeDrift(), 1), FreeDrift());
-    Row() << measured.clouds.size() << run.report.pieces << run.report.landmarks
-          << run.report.rounds.size() << figure(run.ratio(), 3)
-          << figure(run.report.seconds[0].second, 1)
-          << figure(run.report.seconds[1].second, 1) << atMost(run.seconds, reach, 1);
-  };
-  print(short_scene, max_seconds);
-  print(long_scene, no_reach);
 });
 
 using View = PointCloud<PointXYZRGBSigma>;

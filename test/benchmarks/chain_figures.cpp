@@ -1,14 +1,9 @@
 #include "bench.h"
 #include "bench_data.h"
 #include "chain_runs.h"
-#include "run_tool.h"
 #include "temporary_folder.h"
 
 #include <pcl/core/trajectory_error.h>
-
-#include <nlohmann/json.hpp>
-
-#include <fstream>
 
 namespace pcl::acmap::bench {
 namespace {
@@ -21,14 +16,6 @@ posesOf(const ChainRun& run, Eigen::Isometry3d ChainView::*pose)
   for (const ChainView& view : run.views)
     poses.push_back(view.*pose);
   return poses;
-}
-
-void
-printPathHead()
-{
-  printHead("way | observations | without a pose | ATE aligned, cm | RPE to the next, "
-            "rms, cm | degrees | to the 10th next, cm | degrees | the same points "
-            "apart, median, cm | 95 %");
 }
 
 void
@@ -114,7 +101,9 @@ waysOfKitchen()
 void
 printTables(const std::vector<ChainWay>& ways, const std::vector<ChainRun>& runs)
 {
-  printPathHead();
+  printHead("way | observations | without a pose | ATE aligned, cm | RPE to the next, "
+            "rms, cm | degrees | to the 10th next, cm | degrees | the same points "
+            "apart, median, cm | 95 %");
   for (std::size_t i = 0; i < ways.size(); ++i)
     printPath(ways[i], runs[i]);
   printHead("way | views 1 apart: pieces | across, median, mm | 90 % | 5 apart: pieces "
@@ -139,50 +128,6 @@ const Section kitchen_section("kitchen", [] {
   for (const ChainWay& way : waysOfKitchen())
     runs.push_back(runChainOfTools(way, *folder, work.path("")));
   printTables(waysOfKitchen(), runs);
-});
-
-/** Time that a camera with 14 shots per second needs for the patterns of 106
- * observations. */
-constexpr double capture = 106 * 10 / 14.0; // seconds
-
-void
-printStages(const nlohmann::ordered_json& report)
-{
-  printHead("stage | seconds | of them");
-  double sum = 0;
-  for (const auto& stage : report.at("stages")) {
-    double seconds = 0;
-    std::string steps;
-    for (const auto& [name, time] : stage.at("seconds").items()) {
-      seconds += time.get<double>();
-      std::ostringstream step;
-      step.precision(2);
-      step << std::fixed << (steps.empty() ? "" : ", ") << name << " "
-           << time.get<double>();
-      steps += step.str();
-    }
-    sum += seconds;
-    Row() << stage.at("name").get<std::string>() << figure(seconds, 1) << steps;
-  }
-  constexpr double giga = 1e9;
-  Row() << "all" << figure(sum, 1) << "";
-  std::cout << '\n';
-  printHead("camera, s | processing : camera | peak memory, GB");
-  Row() << figure(capture, 1) << atMost(sum / capture, 2, 2)
-        << figure(report.at("peak_memory_bytes").get<double>() / giga, 2);
-  std::cout << '\n';
-}
-
-const Section size_section("size", [] {
-  const test::TemporaryFolder folder;
-  const std::string session = folder.path("session"), map = folder.path("map");
-  test::runTool(ACMAP_SIMULATED_RIG, {"-o", session, "--scene", "corridor_survey"})
-      .succeeded();
-  test::runTool(ACMAP_COMPACT_MAPPING, {session, "-o", map, "--no-pictures"})
-      .succeeded();
-  const auto report =
-      nlohmann::ordered_json::parse(std::ifstream(map + "/report.json"));
-  printStages(report);
 });
 
 } // namespace

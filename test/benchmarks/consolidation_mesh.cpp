@@ -1,6 +1,5 @@
 #include "bench.h"
 #include "mesh_checker.h"
-#include "mesh_peers.h"
 #include "meshes.h"
 #include "scene_truth.h"
 
@@ -104,46 +103,6 @@ const Section every_view_section("mesh", [] {
   print("boundary edges %", view_reach.boundary, [](Figures view) {
     return view.boundary;
   });
-});
-
-/** \return the edge length of a voxel */
-double
-printOurNormals(const SimulatedCloud& cloud, double voxel, const SceneTruth& truth)
-{
-  ConsolidationReport report;
-  Consolidation consolidation;
-  const double seconds =
-      measureThread([&] { consolidation = consolidate(cloud, voxel, report); });
-  Row row;
-  row << cloud.name + ", representatives, " + voxelName(voxel);
-  addErrors(measureNormals(truth,
-                           placesInScene(cloud, consolidation),
-                           normalsInScene(cloud, consolidation),
-                           report.voxel_size),
-            row,
-            1,
-            6);
-  row << figure(1e6 * seconds / static_cast<double>(cloud.size()), 3);
-  return report.voxel_size;
-}
-
-const Section normals_section("normals", [] {
-  printHead("cloud, normals | away from creases, median ° | p95 ° | backs % | all, "
-            "median ° | p95 ° | backs % | CPU us a point");
-  const SceneTruth truth(corridor().scene());
-  for (const std::size_t view : {0, 40, 53}) {
-    const SimulatedCloud cloud = makeViewCloud(corridor().scene(), view);
-    const double voxel = printOurNormals(cloud, 0, truth);
-    if (view == 0)
-      for (const PeerNormals& peer : peerNormals(cloud)) {
-        Row row;
-        row << cloud.name + ", " + peer.name;
-        addErrors(measureNormals(truth, peer.places, peer.normals, voxel), row);
-        row << figure(1e6 * peer.seconds / static_cast<double>(cloud.size()), 3);
-      }
-  }
-  for (const double voxel : {0.05, 0.0})
-    printOurNormals(corridor().whole(), voxel, truth);
 });
 
 using Raster = std::vector<std::uint8_t>;

@@ -1,6 +1,5 @@
 #include "bench.h"
 #include "frame_bytes.h"
-#include "images/frame_unpacking.h"
 #include "paper_patterns.h"
 #include "stereo_shots.h"
 #include "temporary_folder.h"
@@ -11,12 +10,8 @@
 #include <pcl/acquisition/random_line_pattern.h>
 #include <pcl/acquisition/trinocular_file_grabber.h>
 #include <pcl/acquisition/trinocular_recorder.h>
-#include <pcl/core/random.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
 #include <pcl/simulation/standard_scenes.h>
-#include <pcl/stereo/trinocular_rectification.h>
-
-#include <opencv2/imgproc.hpp>
 
 #include <cstdlib>
 #include <cstring>
@@ -28,164 +23,10 @@
 namespace pcl::acmap::bench {
 namespace {
 
-constexpr std::size_t rounds = 100;
-
-/** Rectification of a camera with OpenCV. */
-class CameraRemap {
-public:
-  CameraRemap(const TrinocularRectification& rectification,
-              const CameraCalibration& camera,
-              RigCamera which)
-  {
-    const TrinocularRig& rig = rectification.getRig();
-    const Eigen::Matrix3d R_camera_common =
-        rectification.getRotation(which).transpose();
-    cv::Mat_<float> columns(rig.height, rig.width), rows(rig.height, rig.width);
-    for (int y = 0; y < rig.height; ++y)
-      for (int x = 0; x < rig.width; ++x) {
-        const Eigen::Vector3d ray((x - rig.center_x) / rig.focal_length,
-                                  (y - rig.center_y) / rig.focal_length,
-                                  1.0);
-        const Eigen::Vector2d from = projectPoint(camera, R_camera_common * ray);
-        columns(y, x) = static_cast<float>(from.x());
-        rows(y, x) = static_cast<float>(from.y());
-      }
-    cv::convertMaps(columns, rows, places_, weights_, CV_16SC2);
-  }
-
-  void
-  run(CameraImage& image, cv::Mat& remapped) const
-  {
-    const cv::Mat from(
-        image.height, image.width, CV_8UC(image.channels), image.values.data());
-    cv::remap(
-        from, remapped, places_, weights_, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-  }
-
-private:
-  cv::Mat places_;
-  cv::Mat weights_;
-};
-
-/** Checks that both methods give the same images. */
-void
-requireAlike(const CameraImage& ours, const cv::Mat& theirs)
-{
-  constexpr double maximum =
-      4; // mean difference on noise, in grey levels: cv::remap has
-         // steps of 1/32 px
-  double sum = 0;
-  for (std::size_t i = 0; i < ours.values.size(); ++i)
-    sum += std::abs(int{ours.values[i]} - int{theirs.data[i]});
-  if (sum > maximum * static_cast<double>(ours.values.size()))
-    throw std::runtime_error("cv::remap gives other images");
-}
-
-struct ConversionCosts {
-  std::vector<double> unpack, rectify, both, remap_grey, remap_color;
-};
-
-class Conversion {
-public:
-  Conversion()
-  : cameras_(loadRigCalibration(ACMAP_BUILT_RIG))
-  , bytes_(std::size_t{3} * 640 * 480)
-  {
-    Random random(1);
-    for (std::uint8_t& byte : bytes_)
-      byte = static_cast<std::uint8_t>(random.bits());
-    rectification_.setNumberOfThreads(1);
-    rectification_.setInputCalibration(cameras_);
-    for (std::size_t i = 0; i < 3; ++i)
-      remaps_.emplace_back(
-          rectification_, cameras_.cameras[i], static_cast<RigCamera>(i));
-    for (const BayerPattern bayer : {BayerPattern::None, BayerPattern::Gbrg})
-      unpackFrame(
-          bytes_, layoutOf(bayer), bayer == BayerPattern::None ? grey_ : color_);
-  }
-
-  ConversionCosts
-  measure(BayerPattern bayer)
-  {
-    ConversionCosts costs;
-    TrinocularFrame frame, rectified;
-    for (std::size_t round = 0; round < rounds; ++round) {
-      costs.unpack.push_back(
-          measureThread([&] { unpackFrame(bytes_, layoutOf(bayer), frame); }));
-      costs.rectify.push_back(
-          measureThread([&] { rectification_.rectify(frame, rectified); }));
-      costs.both.push_back(costs.unpack.back() + costs.rectify.back());
-      costs.remap_grey.push_back(measureThread([&] { remap(grey_); }));
-      costs.remap_color.push_back(measureThread([&] { remap(color_); }));
-    }
-    remap(frame);
-    for (std::size_t i = 0; i < 3; ++i)
-      requireAlike(rectified.images[i], remapped_[i]);
-    return costs;
-  }
-
-private:
-  static PlaneLayout
-  layoutOf(BayerPattern bayer)
-  {
-    PlaneLayout layout;
-    layout.width = 640;
-    layout.height = 480;
-    layout.bayer = bayer;
-    return layout;
-  }
-
-  void
-  remap(TrinocularFrame& frame)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-      remaps_[i].run(frame.images[i], remapped_[i]);
-  }
-
-  RigCalibration cameras_;
-  std::vector<std::uint8_t> bytes_;
-  TrinocularRectification rectification_;
-  std::vector<CameraRemap> remaps_;
-  TrinocularFrame grey_, color_;
-  std::array<cv::Mat, 3> remapped_;
-};
-
-void
-printCosts(const std::string& name, const ConversionCosts& costs)
-{
-  constexpr double reach = 4; // multiple of three grey images
-  const auto row = [&](const std::string& kind, const auto& of) {
-    Row() << name + ", " + kind << figure(milli * of(costs.unpack), 2)
-          << figure(milli * of(costs.rectify), 2) << figure(milli * of(costs.both), 2)
-          << figure(milli * of(costs.remap_grey), 2)
-          << atMost(of(costs.both) / of(costs.remap_grey), reach, 2)
-          << figure(milli * of(costs.remap_color), 2)
-          << figure(of(costs.both) / of(costs.remap_color), 2);
-  };
-  row("median", median);
-  row("least", [](const auto& values) { return quantile(values, 0); });
-}
-
-const Section conversion_section("conversion", [] {
-  printHead(
-      "three planes of 640 × 480 | take apart, ms | rectify, ms | both, ms | remap of "
-      "three grey images, ms | of it | remap of three colour images, ms | of it");
-  const int before = cv::getNumThreads();
-  cv::setNumThreads(1);
-  Conversion conversion;
-  printCosts("grey", conversion.measure(BayerPattern::None));
-  printCosts("Bayer GBRG", conversion.measure(BayerPattern::Gbrg));
-  cv::setNumThreads(before);
-});
-
-/** Results of the check for one kind of frames under all channel orders. */
+/** Results of the check for one kind of frames under all channel orders. What has no
+ * order, or hardly one, is in the tests. */
 class OrderFigures {
 public:
-  /** \param[in] has_order is there a correct answer? */
-  explicit OrderFigures(bool has_order = true)
-  : has_order_(has_order)
-  {}
-
   /** Permutes the channels in all ways, and checks each permutation. */
   void
   add(const TrinocularFrame& frame, const RigCalibration& cameras)
@@ -219,7 +60,7 @@ private:
   void
   judge(const ChannelOrderCheck& check, const ChannelOrder& own)
   {
-    const bool is_right = has_order_ && check.best == own;
+    const bool is_right = check.best == own;
     right_ += check.is_certain && is_right ? 1 : 0;
     wrong_ += check.is_certain && !is_right ? 1 : 0;
     shares_.push_back(check.share);
@@ -227,35 +68,10 @@ private:
     runners_up_.push_back(check.runner_up);
   }
 
-  bool has_order_;
   std::size_t right_ = 0;
   std::size_t wrong_ = 0;
   std::vector<double> seconds_, shares_, found_, runners_up_;
 };
-
-RgbImage
-squares(const SimulatedProjector& projector)
-{
-  constexpr int side = 16; // px
-  RgbImage image{projector.width, projector.height, {}};
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      image.values.insert(
-          image.values.end(), 3, (x / side + y / side) % 2 == 0 ? 255 : 0);
-  return image;
-}
-
-/** Equal vertical stripes. */
-RgbImage
-stripes(const SimulatedProjector& projector)
-{
-  constexpr int period = 24; // px
-  RgbImage image{projector.width, projector.height, {}};
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      image.values.insert(image.values.end(), 3, x % period < 6 ? 255 : 0);
-  return image;
-}
 
 /** Simulates a scene with rectified cameras and with cameras as built. */
 class Filming {
@@ -310,48 +126,20 @@ printScene(const std::string& name, const SimulatedScene& scene)
   plain.print(name + ", no pattern");
 }
 
-/** Shots under another kind of pattern, or with more noise. */
+/** Shots with more noise. */
 void
-printPattern(const std::string& name, const RgbImage& pattern, double noise)
+printNoise(double noise)
 {
   OrderFigures figures;
   for (const SimulatedScene& scene :
        {wallWithBox(), slantedWall(), standardScene("corridor")})
-    Filming(scene, {pattern}, noise)
+    Filming(scene, {RandomLinePattern().generate(1)}, noise)
         .run(3, [&](const auto& frame, const auto& cameras) {
           if (frame.pattern != TrinocularFrame::no_pattern)
             figures.add(frame, cameras);
         });
-  figures.print(name);
-}
-
-/** Corrupted shots for which there is no correct answer. */
-void
-printBroken(const std::string& name,
-            const std::function<void(TrinocularFrame&, std::size_t)>& spoil)
-{
-  OrderFigures figures(false);
-  for (const char* const scene : {"office", "corridor"})
-    Filming(standardScene(scene), {RandomLinePattern().generate(2)}, usual_noise)
-        .run(2, [&](const auto& frame, const auto& cameras) {
-          if (frame.pattern == TrinocularFrame::no_pattern)
-            return;
-          for (std::size_t camera = 0; camera < frame.images.size(); ++camera) {
-            TrinocularFrame spoilt = frame;
-            spoil(spoilt, camera);
-            figures.add(spoilt, cameras);
-          }
-        });
-  figures.print(name);
-}
-
-void
-makeNoise(TrinocularFrame& frame)
-{
-  Random random(5);
-  for (CameraImage& image : frame.images)
-    for (std::uint8_t& value : image.values)
-      value = static_cast<std::uint8_t>(random.bits());
+  figures.print("random lines, noise " + std::to_string(std::lround(noise)) +
+                " grey levels");
 }
 
 const Section order_section("order", [] {
@@ -362,27 +150,8 @@ const Section order_section("order", [] {
     printScene(name, standardScene(name));
   printScene("wall with a box", wallWithBox());
   printScene("slanted wall", slantedWall());
-  const SimulatedProjector projector;
-  const RgbImage lines = RandomLinePattern().generate(1);
-  printPattern("random lines, noise 5 grey levels", lines, 5);
-  printPattern("random lines, noise 15 grey levels", lines, 15);
-  printPattern("squares that repeat", squares(projector), usual_noise);
-  printPattern("upright lines that repeat", stripes(projector), usual_noise);
-  printBroken("one camera dark", [](TrinocularFrame& frame, std::size_t camera) {
-    std::vector<std::uint8_t>& values = frame.images[camera].values;
-    std::fill(values.begin(), values.end(), 0);
-  });
-  printBroken("two cameras with one image",
-              [](TrinocularFrame& frame, std::size_t camera) {
-                frame.images[camera] = frame.images[(camera + 1) % 3];
-              });
-  printBroken("three cameras with one image",
-              [](TrinocularFrame& frame, std::size_t camera) {
-                const CameraImage image = frame.images[camera];
-                frame.images.fill(image);
-              });
-  printBroken("noise alone",
-              [](TrinocularFrame& frame, std::size_t) { makeNoise(frame); });
+  printNoise(5);
+  printNoise(15);
 });
 
 constexpr std::size_t frames_wanted = 840; // one minute

@@ -261,33 +261,15 @@ tourOf(const RoomedCorridor& corridor, int visits, Random& random)
   return way;
 }
 
-Building
-makeOffices(Random& random)
-{
-  RoomedCorridor corridor;
-  corridor.length = random.uniform(16, 26);
-  corridor.half_width = random.uniform(0.9, 1.3);
-  addRooms(corridor, 2.6, 5, random);
-  FreeSpace space;
-  corridor.addTo(space);
-  Building building =
-      buildingOf(space,
-                 drive(tourOf(corridor, wholeBetween(random, 3, 5), random),
-                       random.uniform(.6, .9)),
-                 random);
-  addFurniture(building, wholeBetween(random, 2, 12), false, random);
-  return building;
-}
-
 /** Adds niches, such as doors, to a corridor along an axis. */
 void
 addNiches(FreeSpace& space,
           const Eigen::Vector2d& from,
           const Eigen::Vector2d& to,
           double half_width,
-          double per_metre,
           Random& random)
 {
+  constexpr double per_metre = 0.02;
   const Eigen::Vector2d leg = to - from, along = leg.normalized();
   const Eigen::Vector2d aside(along[1], -along[0]);
   const int niches = static_cast<int>(std::lround(per_metre * leg.norm()));
@@ -301,190 +283,6 @@ addNiches(FreeSpace& space,
         from + (at + half) * along + side * (half_width + depth) * aside;
     space.add(a[0], a[1], b[0], b[1]);
   }
-}
-
-/** Corridors through corners, with niches, and the drive along a sequence of them. */
-Building
-corridorsOf(const std::vector<Corners>& lines,
-            const Corners& way,
-            double half_width,
-            double niches,
-            Random& random)
-{
-  FreeSpace space;
-  for (const Corners& line : lines)
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      space.addAround(line[i - 1], line[i], half_width);
-      addNiches(space, line[i - 1], line[i], half_width, niches, random);
-    }
-  return buildingOf(space, drive(way, random.uniform(0.6, 0.9)), random);
-}
-
-Building
-makeRing(Random& random)
-{
-  const double x = random.uniform(7, 14), z = random.uniform(7, 14);
-  const Corners ring{{0, 0}, {0, z}, {x, z}, {x, 0}, {0, 0}};
-  Corners way = ring;
-  way.emplace_back(0, random.uniform(0.3, 1) * z);
-  return corridorsOf(
-      {ring}, way, random.uniform(0.9, 1.2), random.uniform(0.1, 0.4), random);
-}
-
-Building
-makeAlikeRooms(Random& random)
-{
-  RoomedCorridor corridor;
-  const int rooms = wholeBetween(random, 4, 7);
-  const double width = random.uniform(3, 4), depth = random.uniform(3, 4);
-  corridor.length = rooms * (width + 0.15) + 0.4;
-  for (const double side : {-1.0, 1.0})
-    for (int i = 0; i < rooms; ++i) {
-      const double from = 0.2 + i * (width + 0.15);
-      corridor.rooms.push_back({from, from + width, depth, from + width / 2, side});
-    }
-  FreeSpace space;
-  corridor.addTo(space);
-  return buildingOf(space,
-                    drive(tourOf(corridor, wholeBetween(random, 3, 5), random),
-                          random.uniform(.6, .9)),
-                    random);
-}
-
-/** Corridors in the shape of an L, a T or an H. */
-Building
-makeLetters(Random& random)
-{
-  const double z = random.uniform(12, 22), x = random.uniform(8, 16);
-  const double half_width = random.uniform(0.9, 1.2),
-               niches = random.uniform(0.05, 0.3);
-  switch (wholeBetween(random, 0, 2)) {
-  case 0:
-    return corridorsOf({{{0, 0}, {0, z}, {x, z}}},
-                       {{0, 0}, {0, z}, {x, z}, {x / 2, z}},
-                       half_width,
-                       niches,
-                       random);
-  case 1:
-    return corridorsOf({{{0, 0}, {0, z}}, {{-x / 2, z}, {x / 2, z}}},
-                       {{0, 0}, {0, z}, {-x / 2, z}, {x / 2, z}, {0, z}, {0, z / 2}},
-                       half_width,
-                       niches,
-                       random);
-  default:
-    return corridorsOf({{{0, 0}, {0, z}}, {{x, 0}, {x, z}}, {{0, z / 2}, {x, z / 2}}},
-                       {{0, 0}, {0, z}, {0, z / 2}, {x, z / 2}, {x, 0}, {x, z}},
-                       half_width,
-                       niches,
-                       random);
-  }
-}
-
-/** A grid of small rooms whose doors form a tree. */
-class Flat {
-public:
-  Flat(double smallest, double largest, Random& random)
-  : random_(random)
-  {
-    for (int axis : {0, 1}) {
-      limits_[axis][0] = 0;
-      for (int i = 0; i < rooms; ++i)
-        limits_[axis][i + 1] = limits_[axis][i] + random.uniform(smallest, largest);
-    }
-    for (int i = 0; i < rooms; ++i)
-      for (int k = 0; k < rooms; ++k)
-        space.add(limits_[0][i] + 0.06,
-                  limits_[1][k] + 0.06,
-                  limits_[0][i + 1] - 0.06,
-                  limits_[1][k + 1] - 0.06);
-    explore(0, 0);
-  }
-
-  FreeSpace space;
-  Corners way; ///< through all rooms and back
-
-private:
-  static constexpr int rooms = 3; ///< in a row
-
-  Eigen::Vector2d
-  middleOf(int i, int k) const
-  {
-    return {(limits_[0][i] + limits_[0][i + 1]) / 2,
-            (limits_[1][k] + limits_[1][k + 1]) / 2};
-  }
-
-  /** Goes through a room and those behind it which were not visited before. */
-  void
-  explore(int i, int k)
-  {
-    visited_[i][k] = true;
-    const Eigen::Vector2d here = middleOf(i, k);
-    way.push_back(here);
-    const int first = wholeBetween(random_, 0, 3);
-    for (int turn = 0; turn < 4; ++turn) {
-      constexpr int steps[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-      const int* const step = steps[(first + turn) % 4];
-      const int to_i = i + step[0], to_k = k + step[1];
-      if (to_i < 0 || to_i >= rooms || to_k < 0 || to_k >= rooms ||
-          visited_[to_i][to_k])
-        continue;
-      const int axis = step[0] == 0 ? 1 : 0;
-      Eigen::Vector2d door = (here + middleOf(to_i, to_k)) / 2;
-      door[axis] = limits_[axis][(axis == 0 ? std::max(i, to_i) : std::max(k, to_k))];
-      const Eigen::Vector2d half =
-          axis == 0 ? Eigen::Vector2d(0.2, 0.45) : Eigen::Vector2d(0.45, 0.2);
-      space.add(
-          door[0] - half[0], door[1] - half[1], door[0] + half[0], door[1] + half[1]);
-      way.push_back(door);
-      explore(to_i, to_k);
-      way.push_back(door);
-      way.push_back(here);
-    }
-  }
-
-  Random& random_;
-  double limits_[2][rooms + 1];
-  bool visited_[rooms][rooms] = {};
-};
-
-Building
-makeFlat(Random& random)
-{
-  const Flat flat(2.4, 3.8, random);
-  Building building =
-      buildingOf(flat.space, drive(flat.way, random.uniform(0.8, 1.1)), random);
-  addFurniture(building, wholeBetween(random, 10, 25), false, random);
-  return building;
-}
-
-/** Offices whose walls towards the corridor have windows. */
-Building
-makeGlass(Random& random)
-{
-  RoomedCorridor corridor;
-  corridor.length = random.uniform(14, 22);
-  addRooms(corridor, 3.5, 5.5, random);
-  FreeSpace space;
-  corridor.addTo(space);
-  Building building;
-  std::vector<BuildingWall> windows;
-  for (const SideRoom& room : corridor.rooms) {
-    if (isTrue(random, 0.4))
-      continue;
-    const bool first = room.door - room.from > room.to - room.door;
-    const double from = first ? room.from + 0.3 : room.door + 0.7;
-    const double to = first ? room.door - 0.7 : room.to - 0.3;
-    const double near = corridor.half_width * room.side;
-    space.add(near * 0.9, from, near + (corridor.wall + 0.1) * room.side, to);
-    windows.push_back({{near, from}, {near, to}, true});
-  }
-  building.walls = space.outline();
-  building.walls.insert(building.walls.end(), windows.begin(), windows.end());
-  building.path = drive(tourOf(corridor, wholeBetween(random, 2, 4), random),
-                        random.uniform(.6, .9));
-  building.reach = reachOf(random);
-  addFurniture(building, wholeBetween(random, 2, 10), false, random);
-  return building;
 }
 
 void
@@ -539,7 +337,13 @@ makeBlank(Random& random)
     line.emplace_back(x, z);
   if (bends > 1)
     line.emplace_back(x, z / 3);
-  return corridorsOf({line}, line, random.uniform(0.8, 1.4), 0.02, random);
+  const double half_width = random.uniform(0.8, 1.4);
+  FreeSpace space;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    space.addAround(line[i - 1], line[i], half_width);
+    addNiches(space, line[i - 1], line[i], half_width, random);
+  }
+  return buildingOf(space, drive(line, random.uniform(0.6, 0.9)), random);
 }
 
 Building
@@ -677,18 +481,12 @@ addFurniture(Building& building, int boxes, bool moves, Random& random)
 const std::vector<BuildingKind>&
 buildingKinds()
 {
-  static const std::vector<BuildingKind> kinds{{"offices", false, makeOffices},
-                                               {"ring", false, makeRing},
-                                               {"alike rooms", false, makeAlikeRooms},
-                                               {"letters", false, makeLetters},
-                                               {"flat", false, makeFlat},
-                                               {"glass", false, makeGlass},
-                                               {"hall", true, makeHall},
-                                               {"blank corridors", true, makeBlank},
-                                               {"warehouse", true, makeWarehouse},
-                                               {"curved walls", true, makeCurved},
-                                               {"wings", true, makeWings},
-                                               {"moved furniture", true, makeMoved}};
+  static const std::vector<BuildingKind> kinds{{"hall", makeHall},
+                                               {"blank corridors", makeBlank},
+                                               {"warehouse", makeWarehouse},
+                                               {"curved walls", makeCurved},
+                                               {"wings", makeWings},
+                                               {"moved furniture", makeMoved}};
   return kinds;
 }
 

@@ -16,7 +16,6 @@ enum class WallTime { Always, FirstHalf, SecondHalf };
 /** \brief A straight surface in the plan of a building, seen from both sides. */
 struct BuildingWall {
   Eigen::Vector2d from, to; ///< x, z, metres
-  bool is_glass = false;    ///< most rays pass
   WallTime time = WallTime::Always;
 };
 
@@ -30,12 +29,10 @@ struct Building {
 /** \brief A kind of building, from which each seed makes another one. */
 struct BuildingKind {
   std::string name;
-  /** \brief Kinds that were not looked at while the guard was developed. */
-  bool is_held_out;
   Building (*make)(Random& random);
 };
 
-/** \brief All kinds: first those used for tuning, then the held-out ones. */
+/** \brief Kinds that were not looked at while the guard was developed. */
 const std::vector<BuildingKind>&
 buildingKinds();
 

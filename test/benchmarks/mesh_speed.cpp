@@ -5,20 +5,11 @@
 #include "processes.h"
 #include "scene_truth.h"
 #include "simulated_clouds.h"
-#include "temporary_folder.h"
 
-#include <pcl/conversions.h>
-#include <pcl/core/mesh_file.h>
-#include <pcl/core/point_cloud_file.h>
-#include <pcl/core/point_cloud_writer.h>
 #include <pcl/simulation/standard_scenes.h>
 
-#include <cstdio>
-#include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
-#include <stdexcept>
 #include <thread>
 
 #ifdef ACMAP_HAVE_CGAL
@@ -71,12 +62,12 @@ const Section map_section("map", [] {
   }
 });
 
-/** A view as a PCL cloud, with its truth if there is one. */
+/** A view as a PCL cloud, with its truth. */
 struct SpeedView {
   std::string name;
   test::Cloud cloud;
-  const SceneTruth* truth = nullptr;
-  Eigen::Isometry3d T_scene_cloud = Eigen::Isometry3d::Identity();
+  SceneTruth truth;
+  Eigen::Isometry3d T_scene_cloud;
 
   PointView
   points() const
@@ -144,13 +135,9 @@ addMeshCells(const SpeedView& view, const SpeedMesher& mesher, Row& row)
   const test::MeshCounts counts = test::countMesh(places, mesh);
   row << figure(percent(counts.used_points, view.cloud.size()), 1) << mesh.size()
       << figure(percent(counts.boundary_edges, counts.edges), 1);
-  if (!view.truth) {
-    row << no_value << no_value << no_value;
-    return;
-  }
   for (Eigen::Vector3d& place : places)
     place = view.T_scene_cloud * place;
-  const MeshFigures figures = measureMesh(*view.truth, places, mesh, 2 * tolerance);
+  const MeshFigures figures = measureMesh(view.truth, places, mesh, 2 * tolerance);
   row << figure(figures.cover, 2) << figure(figures.overlap, 1)
       << figure(figures.area, 1);
 }
@@ -181,9 +168,10 @@ const Section view_section("view", [] {
       "used % | triangles | boundary edges % | cover % | covered twice % | area "
       "beyond the truth's %");
   const SimulatedCloud first = makeViewCloud(corridor().scene(), 0);
-  const SceneTruth truth = corridor().truthOfView(0);
-  printView({first.name, *plainPoints(first), &truth, first.T_scene_cloud});
-  printView({"simulated corridor view", test::makeCorridorView(138654, 1)});
+  printView({first.name,
+             *plainPoints(first),
+             corridor().truthOfView(0),
+             first.T_scene_cloud});
 });
 
 const Section crops_section("crops", [] {
@@ -214,29 +202,6 @@ const Section crops_section("crops", [] {
   Row() << "slowest to fastest"
         << "" << timesOf(largest(raw), quantile(raw, 0)) << ""
         << timesOf(largest(consolidated), quantile(consolidated, 0));
-});
-
-const Section consolidated_section("consolidated", [] {
-  constexpr std::size_t rounds = 5;
-  const SimulatedCloud& cloud = corridor().whole();
-  std::vector<double> consolidations, meshes, sums;
-  std::size_t representatives = 0, triangles = 0;
-  for (std::size_t round = 0; round < rounds; ++round) {
-    ConsolidationReport report;
-    Consolidation consolidation;
-    consolidations.push_back(
-        measureThread([&] { consolidation = consolidate(cloud, voxel, report); }));
-    meshes.push_back(measureThread(
-        [&] { triangles = meshOf(consolidation, voxel).triangles.size(); }));
-    sums.push_back(consolidations.back() + meshes.back());
-    representatives = consolidation.representatives.size();
-  }
-  printHead("points | representatives | triangles | consolidation, CPU s | mesh, CPU s "
-            "| sum, CPU s | CPU us a point");
-  Row() << cloud.size() << representatives << triangles
-        << figure(median(consolidations), 2) << figure(median(meshes), 2)
-        << figure(median(sums), 2)
-        << figure(1e6 * median(sums) / static_cast<double>(cloud.size()), 3);
 });
 
 /** A loop without shared data or memory access: the upper bound of the machine. */
@@ -293,123 +258,6 @@ const Section threads_section("threads", [] {
   }
   std::cout << "\nThe meshes of 1, 2 and 8 threads are "
             << (are_same ? "the same bytes." : "**different**.") << std::endl;
-});
-
-using Action = std::function<void()>;
-using PlainFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-PlainFile
-openPlain(const std::string& path, const char* mode)
-{
-  PlainFile file(std::fopen(path.c_str(), mode), std::fclose);
-  if (!file)
-    throw std::runtime_error("cannot open " + path);
-  return file;
-}
-
-void
-readPlain(const std::string& path)
-{
-  const std::size_t bytes = std::filesystem::file_size(path);
-  const std::unique_ptr<char[]> data(new char[bytes]); // not initialized
-  if (std::fread(data.get(), 1, bytes, openPlain(path, "rb").get()) != bytes)
-    throw std::runtime_error("short read");
-}
-
-void
-writePlain(const std::string& path, const std::vector<char>& data)
-{
-  if (std::fwrite(data.data(), 1, data.size(), openPlain(path, "wb").get()) !=
-      data.size())
-    throw std::runtime_error("short write");
-}
-
-/** A file whose rows are printed. */
-struct TimedFile {
-  std::string path;
-  std::size_t points;
-
-  /** Prints a row; both methods are timed in interleaved rounds. */
-  void
-  print(const std::string& name, const Action& ours, const Action& plain) const
-  {
-    constexpr std::size_t rounds = 5;
-    std::vector<Cost> our_costs, plain_costs;
-    for (std::size_t round = 0; round < rounds; ++round) {
-      our_costs.push_back(measureCost(ours));
-      plain_costs.push_back(measureCost(plain));
-    }
-    const Cost our = medianCost(our_costs), bound = medianCost(plain_costs);
-    const double each = 1e9 / static_cast<double>(points);
-    Row() << name << points
-          << figure(1e-6 * static_cast<double>(std::filesystem::file_size(path)), 1)
-          << figure(each * our.wall, 1) << figure(each * bound.wall, 1)
-          << timesOf(our.wall, bound.wall) << figure(each * our.cpu, 1)
-          << timesOf(our.cpu, bound.cpu);
-  }
-
-  void
-  printLoad(const std::string& name, const Action& load) const
-  {
-    print("load " + name, load, [&] { readPlain(path); });
-  }
-
-  void
-  printLoad(const std::string& name) const
-  {
-    printLoad(name, [&] { loadPointCloud(path); });
-  }
-
-  /** Saves once to get the size, then prints the row. */
-  void
-  printSave(const std::string& name, const Action& save) const
-  {
-    save();
-    const std::vector<char> bytes(std::filesystem::file_size(path), 'x');
-    print("save " + name, save, [&] { writePlain(path + ".plain", bytes); });
-    std::filesystem::remove(path + ".plain");
-  }
-};
-
-/** A square grid with two triangles per cell. */
-void
-makeGridMesh(std::int32_t cells, PCLPointCloud2& cloud, TriangleMesh& mesh)
-{
-  PointCloud<PointXYZ> points;
-  for (std::int32_t row = 0; row <= cells; ++row)
-    for (std::int32_t column = 0; column <= cells; ++column) {
-      points.emplace_back(static_cast<float>(column), static_cast<float>(row), 0.0F);
-      if (row == cells || column == cells)
-        continue;
-      const std::int32_t corner = row * (cells + 1) + column;
-      const std::int32_t above = corner + cells + 1;
-      mesh.triangles.push_back({corner, corner + 1, above});
-      mesh.triangles.push_back({corner + 1, above + 1, above});
-    }
-  toPCLPointCloud2(points, cloud);
-}
-
-const Section files_section("files", [] {
-  printHead("what | points | file, MB | wall ns a point | plain fread or fwrite | "
-            "takes | CPU ns a point | takes, CPU");
-  const test::TemporaryFolder folder;
-  const PCLPointCloud2 cloud = cloudOf(makeCrop(corridor().whole(), 5000000).merged);
-  const std::size_t points = std::size_t{cloud.width} * cloud.height;
-  const TimedFile pcd{folder.path("cloud.pcd"), points};
-  pcd.printSave("PCD", [&] { savePointCloud(pcd.path, cloud); });
-  pcd.printLoad("PCD");
-  const TimedFile ply{folder.path("cloud.ply"), points};
-  saveTriangleMesh(ply.path, cloud, TriangleMesh());
-  ply.printLoad("PLY cloud");
-  PCLPointCloud2 corners;
-  TriangleMesh mesh;
-  makeGridMesh(1000, corners, mesh);
-  const TimedFile file{folder.path("mesh.ply"),
-                       std::size_t{corners.width} * corners.height};
-  file.printSave("PLY mesh, two faces a point",
-                 [&] { saveTriangleMesh(file.path, corners, mesh); });
-  file.printLoad("points of the PLY mesh");
-  file.printLoad("faces of the PLY mesh", [&] { loadTriangleMesh(file.path); });
 });
 
 } // namespace

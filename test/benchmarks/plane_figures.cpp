@@ -215,54 +215,6 @@ const Section whole_section("whole", [] {
   printCase(makePlaneCase(corridor().whole()), {0, 0.05, 0.5, 99, 12});
 });
 
-/** Moves each observation by a random walk, which simulates poses without
- * rectification.
- * \param[in] step standard deviation along each axis from one observation to the next,
- * metres */
-void
-letDrift(double step, std::uint64_t seed, PlaneInput& input)
-{
-  Random random(seed);
-  std::vector<Eigen::Vector3f> drift;
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  for (Eigen::Vector3f& origin : input.origins) {
-    for (int axis = 0; axis < 3; ++axis)
-      place[axis] += step * random.normal();
-    drift.push_back(place.cast<float>());
-    origin += drift.back();
-  }
-  for (std::size_t i = 0; i < input.points->size(); ++i)
-    (*input.points)[i].getVector3fMap() +=
-        drift[static_cast<std::size_t>(input.views[i])];
-}
-
-const Section drift_section("drift", [] {
-  constexpr std::uint64_t seeds = 3;
-  const NamedFinder finder = allFinders().front();
-  printHead("scene | drift, mm an observation | planes with 0.3 % of the points | "
-            "planes given | duplicates | spurious");
-  for (const std::string scene : {"office", "l_corridor", "corridor_survey"}) {
-    SceneData data(scene);
-    const SimulatedCloud part = makeRandomPart(data.whole(), 1000000, 1);
-    for (const double step : {0.0, 0.005, 0.01}) {
-      FoundShare large;
-      std::size_t given = 0, duplicates = 0, spurious = 0;
-      for (std::uint64_t seed = 1; seed <= (step > 0 ? seeds : 1); ++seed) {
-        PlaneCase plane_case = makePlaneCase(part);
-        letDrift(step, seed, plane_case.input);
-        const PlaneScores run =
-            scorePlanes(plane_case, findPlanes(finder, plane_case.input));
-        large += run.large.share;
-        given += run.given;
-        duplicates += run.duplicates;
-        spurious += run.spurious;
-      }
-      Row() << scene << figure(milli * step, 0) << large.text() << given << duplicates
-            << spurious;
-    }
-  }
-});
-
 constexpr double grid = 0.01; // metres
 
 /** Calls place (column, row), which gives the position of a point of a grid. */
@@ -395,16 +347,6 @@ readSynpeb(const std::string& path)
   });
 }
 
-/** The modified Object Segmentation Database: labels 1 to 9 are the table; objects on it
- * are not annotated here. */
-AnnotatedCloud
-readTable(const std::string& path)
-{
-  return readMarked<PointXYZL>(path, [](const PointXYZL& point) {
-    return point.label >= 1 && point.label <= 9 ? 0 : -1;
-  });
-}
-
 /** Labels are parts of a room, 0 for none. Parts count as planes if they have at least
  * 300 points and an RMS distance of less than 2 cm from their plane. */
 AnnotatedCloud
@@ -435,8 +377,6 @@ struct CloudSource {
 
 constexpr CloudSource sources[] = {
     {"synpeb test_100", "F_planes/synpeb/test_100.pcd", readSynpeb, true, 0.0026},
-    {"mosd learn0", "F_planes/mosd/learn0.pcd", readTable, true, 0.01},
-    {"mosd learn5", "F_planes/mosd/learn5.pcd", readTable, true, 0.01},
     {"navvis room1",
      "F_planes/navvis_room1/room1_gt_fine.pcd",
      readRoomParts,

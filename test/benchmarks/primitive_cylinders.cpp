@@ -52,43 +52,6 @@ const Section half_seen_section("half_seen", [] {
   }
 });
 
-const Section walls_section("walls", [] {
-  constexpr std::size_t seeds = 5;
-  printHead("wall | noise mm | walls | cylinders | largest radius error mm");
-  for (const double bow : {0.0, 0.025, 0.06})
-    for (const double sigma : {0.003, 0.01}) {
-      std::size_t cylinders = 0;
-      for (std::size_t seed = 0; seed < seeds; ++seed)
-        cylinders +=
-            findCylinders(test::seeWall([&](double x) { return bow * (1 - x * x / 9); },
-                                        sigma,
-                                        seed))
-                .size();
-      Row() << (bow == 0
-                    ? std::string("flat")
-                    : "bowed by " + std::to_string(std::lround(1000 * bow)) + " mm")
-            << figure(milli * sigma, 0) << seeds << atMost(cylinders, 0, 0) << "";
-    }
-  for (const bool is_hollow : {false, true})
-    for (const double sigma : {0.003, 0.01}) {
-      std::size_t cylinders = 0;
-      std::vector<double> errors;
-      for (std::size_t seed = 0; seed < seeds; ++seed) {
-        const test::CylinderView view = test::seeRoundWall(is_hollow, sigma, seed);
-        const std::vector<CylinderPatch> patches = findCylinders(view);
-        const test::SceneCylinder& truth = view.cylinders[0];
-        const CylinderPatch* const patch =
-            patchOf(truth.point, truth.axis, truth.radius, patches);
-        cylinders += patch && patches.size() == 1 ? 1 : 0;
-        if (patch)
-          errors.push_back(milli * std::abs(patch->radius - 10));
-      }
-      Row() << (is_hollow ? "radius 10 m, hollow" : "radius 10 m")
-            << figure(milli * sigma, 0) << seeds << atLeast(cylinders, seeds, 0)
-            << atMost(largest(errors), 4, 1);
-    }
-});
-
 const Section sigma_section("sigma", [] {
   constexpr std::uint64_t seeds = 20;
   printHead("noise mm | radius cm | fits | rms of error over told sigma");

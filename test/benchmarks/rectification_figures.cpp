@@ -1,5 +1,4 @@
 #include "bench.h"
-#include "processes.h"
 #include "rectification_peers.h"
 #include "rectification_runs.h"
 
@@ -76,10 +75,6 @@ struct RunsReach {
   double median = no_reach, failures = no_reach, worse = no_reach, seconds = no_reach;
 };
 
-constexpr char titles[] =
-    "maps, drift | runs | ratio, median | worst | above 0.5 | worse than before | "
-    "refused | aligned, median | worst | CPU s, median | most | those above 0.5";
-
 void
 printRuns(const std::string& name,
           const Maps& maps,
@@ -106,41 +101,17 @@ printRuns(const std::string& name,
 const Section logs_section("logs", [] {
   constexpr double none = 0, seconds = 15;
   const Maps logs = makeLogMaps(), long_logs = makeLongLogMaps();
-  printHead(titles);
+  printHead(
+      "maps, drift | runs | ratio, median | worst | above 0.5 | worse than before "
+      "| refused | aligned, median | worst | CPU s, median | most | those above "
+      "0.5");
   for (const double level : {0.5, 1.0, 2.0})
     printRuns("logs", logs, level, {level < 1 ? 0.15 : 0.1, none, no_reach, seconds});
   for (const double level : {0.5, 1.0, 2.0})
     printRuns("infinite-corridor", long_logs, level, {0.2, none, no_reach, seconds});
-});
-
-const Section strong_section("strong", [] {
-  printHead(titles);
-  const RunsReach reach{no_reach, no_reach, 0, no_reach};
-  printRuns("logs", makeLogMaps(), 4, reach);
-  printRuns("infinite-corridor", makeLongLogMaps(), 4, reach);
-});
-
-const Section constants_section("constants", [] {
-  const Maps logs = makeLogMaps();
-  printHead("constants | drift | ratio, median | worst | aligned, median | worst");
-  const auto print = [&](const char* name, double weight, double noise) {
-    for (const double level : {1.0, 2.0}) {
-      const Runs runs = runAll(logs, level, 1, [&](Rectification& rectification) {
-        rectification.setEntropyWeight(weight);
-        rectification.setOdometryNoise(timesNoise(noise));
-      });
-      const auto ratios = valuesOf(runs, [](auto& run) { return run.ratio(); });
-      const auto aligned = valuesOf(runs, [](auto& run) { return run.alignedRatio(); });
-      Row() << name << textOf(level) << figure(median(ratios), 3)
-            << figure(largest(ratios), 3) << figure(median(aligned), 3)
-            << figure(largest(aligned), 3);
-    }
-  };
-  print("as they are", 1, 1);
-  print("entropy's weight x 0.5", 0.5, 1);
-  print("entropy's weight x 2", 2, 1);
-  print("odometry's noise x 0.5", 1, 0.5);
-  print("odometry's noise x 2", 1, 2);
+  const RunsReach strong{no_reach, no_reach, none, no_reach};
+  printRuns("logs", logs, 4, strong);
+  printRuns("infinite-corridor", long_logs, 4, strong);
 });
 
 const Section paper_section("paper", [] {
@@ -182,26 +153,6 @@ const Section perfect_section("perfect", [] {
     printUnmoved(map);
   for (const char* scene : {"corridor", "l_corridor", "loop"})
     printUnmoved(makeSceneMap(standardScene(scene)));
-});
-
-const Section size_section("size", [] {
-  constexpr double max_seconds = 30, mebi = 1024 * 1024;
-  const PeakMemory memory;
-  const SimulatedScene scene = standardScene("corridor");
-  const RectificationMap map = makeSceneMap(scene);
-  const RectificationRun run = rectifyMap(map, drifted(map.truth, cameraDrift(), 1));
-  const double peak = static_cast<double>(memory.bytes()) / mebi;
-  std::size_t points = 0, consolidated = 0;
-  for (std::size_t view = 0; view < scene.views.size(); ++view) {
-    points += scene.sensor.pointsOfView(view);
-    consolidated += map.clouds[view]->size();
-  }
-  printHead("observations | points | consolidated | consolidation, CPU s | "
-            "rectification, CPU s | sum, CPU s | peak memory, MiB");
-  Row() << scene.views.size() << points << consolidated
-        << figure(map.consolidation_seconds, 1) << figure(run.seconds, 1)
-        << atMost(map.consolidation_seconds + run.seconds, max_seconds, 1)
-        << figure(peak, 0);
 });
 
 /** -1 for the left wall, 1 for the right wall, 0 for other points: recessed doors,

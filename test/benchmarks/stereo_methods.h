@@ -107,13 +107,6 @@ public:
   void
   add(const DisparityImage& found, const DisparityImage& truth, const PixelMask& mask);
 
-  /** \brief Mean signed error of a bin, px. */
-  double
-  meanOfBin(std::size_t bin) const
-  {
-    return meanOf(errors_[bin]);
-  }
-
   /** \brief Standard deviation of the means of the bins, px. */
   double
   lockingOfMeans() const;

@@ -279,25 +279,6 @@ const Section simulated_section("simulated", [] {
   printSigmas(all);
 });
 
-const Section subpixel_section("subpixel", [] {
-  const std::vector<SimulatedShots> views = {takeShots(slantedWall(), 0)};
-  const auto spacetime = fusedBy(DisparityFusion::Method::SpaceTime);
-  const MethodFigures all[] = {
-      figuresOf(views, false, sgbmMedian),
-      figuresOf(views, false, fusedBy(DisparityFusion::Method::Median)),
-      figuresOf(views, false, spacetime),
-      figuresOf(views, true, spacetime)};
-  printHead("fraction of the true disparity, from | OpenCV SGBM, median: mean error, "
-            "px | acmap, median, two views | acmap, space-time, two views | acmap, "
-            "space-time, three views");
-  for (std::size_t bin = 0; bin < FractionErrors::bins; ++bin) {
-    Row row;
-    row << figure(static_cast<double>(bin) / FractionErrors::bins, 2);
-    for (const MethodFigures& figures : all)
-      row << figure(figures.fractions.meanOfBin(bin), 4);
-  }
-});
-
 /** The minimum CPU seconds of several runs. */
 double
 leastSeconds(const std::function<void()>& function)

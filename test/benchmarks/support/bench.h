@@ -20,14 +20,12 @@ namespace pcl::acmap::bench {
 constexpr double degree = M_PI / 180, ///< radians
     centi = 100, milli = 1000;        ///< centimetres and millimetres of a metre
 
-enum class SectionUse { Always, WhenNamed };
-
 /** \brief A part of a benchmark. The objects in a program's sources are its sections:
- * the command line selects some by their names, otherwise all of use Always run, in the
- * order of the sources. */
+ * the command line selects some by their names, otherwise all run, in the order of the
+ * sources. */
 class Section {
 public:
-  Section(const char* name, void (*print)(), SectionUse use = SectionUse::Always);
+  Section(const char* name, void (*print)());
 };
 
 /** \brief Target of a figure that is only reported. */

@@ -10,7 +10,6 @@ namespace {
 struct NamedSection {
   std::string name;
   void (*print)();
-  SectionUse use;
 };
 
 std::vector<NamedSection>&
@@ -41,8 +40,7 @@ printSections(const std::string& program, const std::set<std::string>& asked)
     return left.count("--help") > 0 ? 0 : 2;
   }
   for (const NamedSection& section : allSections())
-    if (asked.empty() ? section.use == SectionUse::Always
-                      : asked.count(section.name) > 0) {
+    if (asked.empty() || asked.count(section.name) > 0) {
       std::cout << "\n### " << section.name << "\n";
       section.print();
     }
@@ -51,9 +49,9 @@ printSections(const std::string& program, const std::set<std::string>& asked)
 
 } // namespace
 
-Section::Section(const char* name, void (*print)(), SectionUse use)
+Section::Section(const char* name, void (*print)())
 {
-  allSections().push_back({name, print, use});
+  allSections().push_back({name, print});
 }
 
 } // namespace pcl::acmap::bench
