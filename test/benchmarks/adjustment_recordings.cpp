@@ -24,22 +24,10 @@ viewsOf(const ObservationSequence& sequence,
         const Poses& given,
         const Poses& found)
 {
-  constexpr std::size_t every = 4; // pixels
   std::vector<ChainView> views;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto file = sequence.load(places[i]).file;
-    const PointView points = file->points();
-    ChainView view;
-    view.given = given[i];
-    view.found = found[i];
-    for (std::size_t row = 0; row < file->cloud.height; row += every)
-      for (std::size_t column = 0; column < file->cloud.width; column += every) {
-        const Eigen::Vector3f point = points[row * file->cloud.width + column];
-        if (point.allFinite())
-          view.points.push_back(point.cast<double>());
-      }
-    views.push_back(view);
-  }
+  for (std::size_t i = 0; i < places.size(); ++i)
+    views.push_back(
+        {thinnedPoints(*sequence.load(places[i]).file), given[i], found[i]});
   return views;
 }
 

@@ -93,7 +93,6 @@ adjust(const AdjustmentScene& scene,
                           revisit.estimate.covariance);
   AdjustmentRun run;
   run.seconds = measureCost([&] { adjustment.compute(); }).cpu;
-  run.given = given;
   for (std::size_t i = 0; i < given.size(); ++i) {
     run.found.push_back(adjustment.getPose(i));
     run.height = std::max(
@@ -130,7 +129,6 @@ rectifyAndAdjust(const AdjustmentScene& scene,
   for (std::size_t i = 0; i < given.size(); ++i)
     rectified.push_back(rectification.getPose(i));
   AdjustmentRun run = adjust(scene, rectified, drift);
-  run.given = given;
   run.before = absoluteTrajectoryError(given, scene.truth).unaligned;
   run.length_before =
       100 * (lengthBetweenEnds(given) / lengthBetweenEnds(scene.truth) - 1);
@@ -145,22 +143,6 @@ driftSeeds()
   std::vector<std::uint64_t> seeds(count ? std::strtoul(count, nullptr, 10) : 10);
   std::iota(seeds.begin(), seeds.end(), 11);
   return seeds;
-}
-
-std::string
-nameOf(AdjustmentOutcome outcome)
-{
-  switch (outcome) {
-  case AdjustmentOutcome::Adjusted:
-    return "adjusted";
-  case AdjustmentOutcome::Kept:
-    return "kept";
-  case AdjustmentOutcome::Refused:
-    return "refused";
-  case AdjustmentOutcome::Undetermined:
-    break;
-  }
-  return "undetermined";
 }
 
 } // namespace pcl::acmap::bench

@@ -41,7 +41,7 @@ driftedFreely(const std::vector<Eigen::Isometry3d>& truth,
 
 /** \brief Result of an adjustment on one thread. */
 struct AdjustmentRun {
-  std::vector<Eigen::Isometry3d> given, found;
+  std::vector<Eigen::Isometry3d> found;
   PlaneAdjustmentReport report;
   double before = 0, after = 0;               ///< metres, ATE with the true first pose
   double height = 0;                          ///< metres, largest error along y
@@ -70,8 +70,11 @@ rectifyAndAdjust(const AdjustmentScene& scene,
                  const std::vector<Eigen::Isometry3d>& given,
                  const FreeDrift& drift);
 
-std::string
-nameOf(AdjustmentOutcome outcome);
+inline std::string
+nameOf(AdjustmentOutcome outcome)
+{
+  return adjustment_outcome_names.at(static_cast<std::size_t>(outcome));
+}
 
 /** \brief Seeds of the drift: 11 to 20; the parameters were tuned with 1 to 6. The
  * environment variable ACMAP_DRIFT_SEEDS is a smaller number of them. */

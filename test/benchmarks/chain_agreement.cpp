@@ -63,6 +63,21 @@ apart(const ChainPatch& patch, const std::vector<ChainPatch>& others)
 
 } // namespace
 
+std::vector<Eigen::Vector3d>
+thinnedPoints(const PointCloudFile& file)
+{
+  constexpr std::size_t step = 4; // pixels
+  const PointView view = file.points();
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t row = 0; row < file.cloud.height; row += step)
+    for (std::size_t column = 0; column < file.cloud.width; column += step) {
+      const Eigen::Vector3f p = view[row * file.cloud.width + column];
+      if (p.allFinite())
+        points.push_back(p.cast<double>());
+    }
+  return points;
+}
+
 SurfaceAgreement
 compareSurfaces(const std::vector<ChainView>& views,
                 std::size_t step,

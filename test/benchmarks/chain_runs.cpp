@@ -4,9 +4,7 @@
 #include "json_file.h"
 #include "run_tool.h"
 
-#include <pcl/core/impl/point_view.h>
 #include <pcl/core/map_file.h>
-#include <pcl/core/point_cloud_file.h>
 #include <pcl/core/trajectory.h>
 
 #include <sys/resource.h>
@@ -30,22 +28,6 @@ childSeconds()
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-std::vector<Eigen::Vector3d>
-thinned(const std::string& path)
-{
-  constexpr std::size_t step = 4; // pixels
-  const PointCloudFile file = loadPointCloud(path);
-  const PointView view = file.points();
-  std::vector<Eigen::Vector3d> points;
-  for (std::size_t row = 0; row < file.cloud.height; row += step)
-    for (std::size_t column = 0; column < file.cloud.width; column += step) {
-      const Eigen::Vector3f p = view[row * file.cloud.width + column];
-      if (p.allFinite())
-        points.push_back(p.cast<double>());
-    }
-  return points;
-}
-
 std::string
 observationIn(const std::string& folder, std::size_t number)
 {
@@ -67,7 +49,7 @@ viewsOf(const std::string& observations,
   for (std::size_t i = 0; i < found.poses.size(); ++i) {
     const auto number =
         is_given ? i : static_cast<std::size_t>(std::lround(found.stamps[i]));
-    views.push_back({thinned(observationIn(observations, number)),
+    views.push_back({thinnedPoints(loadPointCloud(observationIn(observations, number))),
                      given.poses.at(number),
                      found.poses[i]});
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/compact_map.h>
+#include <pcl/core/point_cloud_file.h>
 
 #include <Eigen/Geometry>
 
@@ -20,10 +21,14 @@ struct ChainWay {
 
 /** \brief An observation that has a pose. */
 struct ChainView {
-  std::vector<Eigen::Vector3d> points; ///< one of 4 x 4 pixels, camera frame, metres
+  std::vector<Eigen::Vector3d> points; ///< \ref thinnedPoints, camera frame, metres
   Eigen::Isometry3d given;             ///< T_map_camera given with the recording
   Eigen::Isometry3d found;             ///< T_map_camera of the map
 };
+
+/** \brief One of 4 x 4 pixels of an organized cloud, if it is finite. */
+std::vector<Eigen::Vector3d>
+thinnedPoints(const PointCloudFile& file);
 
 /** \brief Result of a run. */
 struct ChainRun {

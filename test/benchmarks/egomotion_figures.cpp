@@ -3,7 +3,6 @@
 #include "rectification_runs.h"
 
 #include <pcl/egomotion/visual_egomotion.h>
-#include <pcl/filters/voxel_consolidation.h>
 
 #include <utility>
 
@@ -185,39 +184,16 @@ const Section time_section("time", [] {
     timePair(*kitchen);
 });
 
-constexpr double voxel = 0.06; // metres, as for the other rectified scenes
-
-PointCloud<PointNormal>::Ptr
-consolidated(const EgomotionCloud& seen)
-{
-  const auto points = std::make_shared<PointCloud<PointNormal>>();
-  for (const PointXYZRGBSigma& point : seen)
-    if (point.z > 0) { // not NaN
-      points->emplace_back();
-      points->back().getVector3fMap() = point.getVector3fMap();
-    }
-  VoxelConsolidation<PointNormal> consolidation;
-  consolidation.setNumberOfThreads(1);
-  consolidation.setVoxelSize(voxel);
-  consolidation.setViewpoints({Eigen::Vector3f::Zero()});
-  consolidation.setInputCloud(points);
-  const auto cloud = std::make_shared<PointCloud<PointNormal>>();
-  consolidation.filter(*cloud);
-  return cloud;
-}
-
 RectificationMap
 mapOf(const EgomotionSequence& sequence)
 {
-  constexpr double usual = 0.05; // metres; a voxel of this size has weight 1
-  constexpr float weight = voxel * voxel / (usual * usual);
   RectificationMap map;
   map.name = sequence.name;
-  map.bin_size = 0.05;
   for (std::size_t i = 0; i < sequence.clouds.size(); ++i) {
-    map.clouds.push_back(consolidated(*sequence.clouds[i]));
-    map.weights.emplace_back(map.clouds.back()->size(), weight);
-    map.truth.push_back(planarPartOf(sequence.truth[i]));
+    const EgomotionCloud& seen = *sequence.clouds[i];
+    map.addView({&seen.front().x, sizeof(PointXYZRGBSigma), seen.size()},
+                SensorView(Eigen::Vector3f::Zero()),
+                planarPartOf(sequence.truth[i]));
   }
   return map;
 }
@@ -241,10 +217,7 @@ const Section rectification_section("rectification", [] {
     const RectificationMap map = mapOf(sequence);
     for (const bool refines : {true, false}) {
       const EgomotionRun chain = runChain(oursMethod(refines), sequence);
-      std::vector<PlanarPose> given;
-      for (const Eigen::Isometry3d& pose : chain.poses)
-        given.push_back(planarPartOf(pose));
-      printRun(chain, rectifyMap(map, given));
+      printRun(chain, rectifyMap(map, planarPartsOf(chain.poses)));
     }
   }
 });

@@ -3,6 +3,7 @@
 #include "bench.h"
 #include "bench_data.h"
 #include "paper_patterns.h"
+#include "rectification_runs.h"
 
 #include <pcl/conversions.h>
 #include <pcl/core/image_file.h>
@@ -156,12 +157,7 @@ aligned(Registration& registration,
   registration.align(moved);
   if (!registration.hasConverged())
     return std::nullopt;
-  const Eigen::Matrix4d motion =
-      registration.getFinalTransformation().template cast<double>();
-  Eigen::Isometry3d T_target_source(
-      Eigen::Quaterniond(Eigen::Matrix3d(motion.topLeftCorner<3, 3>())).normalized());
-  T_target_source.translation() = motion.topRightCorner<3, 1>();
-  return T_target_source;
+  return motionOf(registration.getFinalTransformation());
 }
 
 } // namespace
@@ -397,13 +393,7 @@ chainError(const EgomotionSequence& sequence,
 {
   if (!sequence.is_planar)
     return absoluteTrajectoryError(found, sequence.truth);
-  const auto onFloor = [](const std::vector<Eigen::Isometry3d>& poses) {
-    std::vector<PlanarPose> floor;
-    for (const Eigen::Isometry3d& pose : poses)
-      floor.push_back(planarPartOf(pose));
-    return floor;
-  };
-  return absoluteTrajectoryError(onFloor(found), onFloor(sequence.truth));
+  return absoluteTrajectoryError(planarPartsOf(found), planarPartsOf(sequence.truth));
 }
 
 } // namespace

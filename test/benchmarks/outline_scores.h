@@ -203,7 +203,6 @@ struct CreaseSample {
  * sensor's reach, and nothing is in front of it. Curved surfaces only occlude. */
 struct VisibleTruth {
   std::vector<VisibleFace> faces;
-  std::vector<std::size_t> face_of_plane; ///< for each true plane of the scene
 
   /** \brief Creases, in steps of \ref raster_cell: both faces exist beside the line and
    * were seen at 2.5 and 3.5 cm from it, on one side or both. */

@@ -12,6 +12,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -38,7 +39,7 @@ struct PaperWay {
   const char* name;
   const char* stereo; ///< option of pcl_active_stereo
   bool meshes_raw;    ///< raw points are meshed
-  void (*change)(CompactMapping& mapping);
+  std::function<void(CompactMapping& mapping)> change;
 };
 
 /** \brief Result of a way for one input. */
@@ -55,21 +56,6 @@ constexpr const char *spacetime = "--method=spacetime",
                      *median_of_shots = "--method=median", *unlit = "--unlit";
 
 void
-setPaper(CompactMapping& mapping)
-{
-  mapping.setMode(MappingMode::Paper);
-}
-
-template <typename Change>
-void
-changePlanes(CompactMapping& mapping, const Change& change)
-{
-  PlaneMapping planes = mapping.getPlaneMapping();
-  change(planes);
-  mapping.setPlaneMapping(planes);
-}
-
-void
 setEgomotion(CompactMapping& mapping)
 {
   VisualOdometry odometry;
@@ -77,6 +63,19 @@ setEgomotion(CompactMapping& mapping)
   egomotion.setPaperMode(true);
   odometry.setEgomotion(egomotion);
   mapping.setVisualOdometry(odometry);
+}
+
+/** Ours with another step from points to planes. */
+PaperWay
+ourPlanes(const char* name,
+          const std::function<void(PlaneMapping& planes)>& change,
+          bool meshes_raw = false)
+{
+  return {name, spacetime, meshes_raw, [change](CompactMapping& mapping) {
+            PlaneMapping planes = mapping.getPlaneMapping();
+            change(planes);
+            mapping.setPlaneMapping(planes);
+          }};
 }
 
 double
@@ -93,6 +92,10 @@ const std::vector<PaperWay>&
 paperWays()
 {
   constexpr auto nothing = [](CompactMapping&) {};
+  constexpr auto setPaper = [](CompactMapping& mapping) {
+    mapping.setMode(MappingMode::Paper);
+    setEgomotion(mapping); // planar, whatever the motion is
+  };
   static const std::vector<PaperWay> ways = {
       {"the paper's way", median_of_shots, true, setPaper},
       {"the paper's way, unlit", unlit, true, setPaper},
@@ -107,45 +110,31 @@ paperWays()
          rectification.setMode(RectificationMode::Paper);
          mapping.setRectification(rectification);
        }},
-      {"ours, no consolidation",
-       spacetime,
-       true,
-       [](CompactMapping& mapping) {
-         changePlanes(mapping, [](PlaneMapping& planes) {
-           planes.setConsolidationPolicy(ConsolidationPolicy::Never);
-         });
-       }},
-      {"ours, strict mesh",
-       spacetime,
-       false,
-       [](CompactMapping& mapping) {
-         changePlanes(mapping, [](PlaneMapping& planes) {
-           const auto dewall =
-               std::make_shared<DeWallTriangulation<PlaneMapping::Vertex>>();
-           dewall->setAcceptanceRule(DeWallRule::Strict);
-           planes.setMeshConstruction(dewall);
-         });
-       }},
-      {"ours, paper's votes",
-       spacetime,
-       false,
-       [](CompactMapping& mapping) {
-         changePlanes(mapping, [](PlaneMapping& planes) {
-           PlaneMapping::Voting voting;
-           voting.setPaperMode(true);
-           planes.setVoting(voting);
-         });
-       }},
-      {"ours, literal hypotheses",
-       spacetime,
-       false,
-       [](CompactMapping& mapping) {
-         changePlanes(mapping, [](PlaneMapping& planes) {
-           PlaneMapping::Clustering clustering;
-           clustering.setNoiseDriven(false);
-           planes.setClustering(clustering);
-         });
-       }},
+      ourPlanes(
+          "ours, no consolidation",
+          [](PlaneMapping& planes) {
+            planes.setConsolidationPolicy(ConsolidationPolicy::Never);
+          },
+          true),
+      ourPlanes("ours, strict mesh",
+                [](PlaneMapping& planes) {
+                  const auto dewall =
+                      std::make_shared<DeWallTriangulation<PlaneMapping::Vertex>>();
+                  dewall->setAcceptanceRule(DeWallRule::Strict);
+                  planes.setMeshConstruction(dewall);
+                }),
+      ourPlanes("ours, paper's votes",
+                [](PlaneMapping& planes) {
+                  PlaneMapping::Voting voting;
+                  voting.setPaperMode(true);
+                  planes.setVoting(voting);
+                }),
+      ourPlanes("ours, literal hypotheses",
+                [](PlaneMapping& planes) {
+                  PlaneMapping::Clustering clustering;
+                  clustering.setNoiseDriven(false);
+                  planes.setClustering(clustering);
+                }),
       {"ours, colours of points",
        spacetime,
        false,
@@ -171,8 +160,6 @@ runPaperWay(const PaperWay& way, const ObservationSequence& observations, bool i
     mapping.setVisualOdometry(odometry);
   }
   way.change(mapping);
-  if (way.change == setPaper)
-    setEgomotion(mapping); // planar, whatever the motion is
   if (way.meshes_raw) {
     ObservationMerging merging = mapping.getMerging();
     merging.setMaximumPoints(max_raw_points);

@@ -6,7 +6,6 @@
 #include <pcl/common/transforms.h>
 #include <pcl/registration/correspondence_estimation.h>
 #include <pcl/registration/elch.h>
-#include <pcl/registration/gicp.h>
 #include <pcl/registration/icp.h>
 #include <pcl/registration/lum.h>
 
@@ -34,15 +33,6 @@ placedClouds(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& giv
     transformPointCloud(local, *placed.back(), pose.cast<float>().matrix());
   }
   return placed;
-}
-
-/** The rigid motion of a matrix of floats. */
-Eigen::Isometry3d
-motionOf(const Eigen::Matrix4f& matrix)
-{
-  Eigen::Isometry3d motion(matrix.cast<double>());
-  motion.linear() = Eigen::Quaterniond(motion.linear()).normalized().toRotationMatrix();
-  return motion;
 }
 
 /** \param[in] correction in the frame of the first pose */
@@ -138,49 +128,6 @@ runElch(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& given)
     run.poses.push_back(
         corrected(given[i], (*elch.getLoopGraph())[i].transform, given.front()));
   return run;
-}
-
-PeerRun
-runGicpChain(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& given)
-{
-  std::vector<PeerPoints::Ptr> local;
-  for (const auto& cloud : clouds) {
-    local.push_back(std::make_shared<PeerPoints>());
-    copyPointCloud(*cloud, *local.back());
-  }
-  PeerRun run;
-  run.poses.push_back(given.front());
-  run.seconds = measureThread([&] {
-    for (std::size_t i = 1; i < given.size(); ++i) {
-      GeneralizedIterativeClosestPoint<PointXYZ, PointXYZ> gicp;
-      gicp.setMaxCorrespondenceDistance(largest_distance);
-      gicp.setInputSource(local[i]);
-      gicp.setInputTarget(local[i - 1]);
-      const Eigen::Isometry3d guess = given[i - 1].inverse() * given[i];
-      PeerPoints aligned;
-      gicp.align(aligned, guess.cast<float>().matrix());
-      run.poses.push_back(run.poses.back() * motionOf(gicp.getFinalTransformation()));
-    }
-  });
-  return run;
-}
-
-std::vector<Eigen::Isometry3d>
-isometriesOf(const std::vector<PlanarPose>& poses)
-{
-  std::vector<Eigen::Isometry3d> result;
-  for (const PlanarPose& pose : poses)
-    result.push_back(isometryOf(pose));
-  return result;
-}
-
-std::vector<PlanarPose>
-planarPartsOf(const std::vector<Eigen::Isometry3d>& poses)
-{
-  std::vector<PlanarPose> result;
-  for (const Eigen::Isometry3d& pose : poses)
-    result.push_back(planarPartOf(pose));
-  return result;
 }
 
 } // namespace pcl::acmap::bench

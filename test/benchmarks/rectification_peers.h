@@ -36,17 +36,4 @@ runLum(const PeerClouds& clouds,
 PeerRun
 runElch(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& given);
 
-/** \brief GeneralizedIterativeClosestPoint from each observation to the next, beginning
- * with the given motion, correspondences within 0.3 m; the motions are chained. */
-PeerRun
-runGicpChain(const PeerClouds& clouds, const std::vector<Eigen::Isometry3d>& given);
-
-/** \brief Poses in space. */
-std::vector<Eigen::Isometry3d>
-isometriesOf(const std::vector<PlanarPose>& poses);
-
-/** \brief The planar parts of poses. */
-std::vector<PlanarPose>
-planarPartsOf(const std::vector<Eigen::Isometry3d>& poses);
-
 } // namespace pcl::acmap::bench

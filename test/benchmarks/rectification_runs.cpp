@@ -52,6 +52,25 @@ RectificationMap::add(const PlanarScan& scan, const PlanarPose& pose)
   truth.push_back(pose);
 }
 
+void
+RectificationMap::addView(const PointView& points,
+                          const SensorView& sensors,
+                          const PlanarPose& pose)
+{
+  constexpr double voxel = 0.06; // metres
+  constexpr double usual = 0.05; // metres; a voxel of this size has weight 1
+  ConsolidationSettings settings;
+  settings.voxel_size = voxel;
+  settings.threads = 1;
+  ConsolidationReport report;
+  clouds.push_back(cloudOf(
+      consolidatePoints(points, sensors, ColorView(), settings, Progress(), report)));
+  weights.emplace_back(clouds.back()->size(),
+                       static_cast<float>(voxel * voxel / (usual * usual)));
+  truth.push_back(pose);
+  bin_size = 0.05;
+}
+
 std::vector<RectificationMap>
 makeLogMaps()
 {
@@ -73,22 +92,11 @@ makeLongLogMaps()
 RectificationMap
 makeSceneMap(const SimulatedScene& scene)
 {
-  constexpr double voxel = 0.06; // metres
-  constexpr double usual = 0.05; // metres; a voxel of this size has weight 1
-  constexpr float weight = voxel * voxel / (usual * usual);
   RectificationMap map;
   map.name = scene.name;
-  map.bin_size = 0.05;
   for (std::size_t view = 0; view < scene.views.size(); ++view) {
     const SimulatedCloud seen = makeViewCloud(scene, view);
-    Consolidation consolidation;
-    ConsolidationReport report;
-    const Cost cost =
-        measureCost([&] { consolidation = consolidate(seen, voxel, report); });
-    map.consolidation_seconds += cost.cpu;
-    map.clouds.push_back(cloudOf(consolidation));
-    map.weights.emplace_back(map.clouds.back()->size(), weight);
-    map.truth.push_back(planarPartOf(scene.views[view]));
+    map.addView(seen.points(), seen.sensors(), planarPartOf(scene.views[view]));
   }
   return map;
 }
@@ -161,16 +169,6 @@ drifted(const std::vector<PlanarPose>& truth,
   return drifted(truth, drift, random);
 }
 
-OdometryNoise
-timesNoise(double factor)
-{
-  const OdometryNoise usual;
-  return {factor * usual.length,
-          factor * usual.length_per_metre,
-          factor * usual.turn,
-          factor * usual.turn_per_radian};
-}
-
 RectificationRun
 rectifyMap(const RectificationMap& map,
            const std::vector<PlanarPose>& given,
@@ -195,13 +193,30 @@ rectifyMap(const RectificationMap& map,
   return run;
 }
 
-std::string
-nameOf(RectificationOutcome outcome)
+std::vector<Eigen::Isometry3d>
+isometriesOf(const std::vector<PlanarPose>& poses)
 {
-  return outcome == RectificationOutcome::Rectified ? "rectified"
-         : outcome == RectificationOutcome::Kept    ? "kept"
-         : outcome == RectificationOutcome::Refused ? "refused"
-                                                    : "undetermined";
+  std::vector<Eigen::Isometry3d> result;
+  for (const PlanarPose& pose : poses)
+    result.push_back(isometryOf(pose));
+  return result;
+}
+
+std::vector<PlanarPose>
+planarPartsOf(const std::vector<Eigen::Isometry3d>& poses)
+{
+  std::vector<PlanarPose> result;
+  for (const Eigen::Isometry3d& pose : poses)
+    result.push_back(planarPartOf(pose));
+  return result;
+}
+
+Eigen::Isometry3d
+motionOf(const Eigen::Matrix4f& matrix)
+{
+  Eigen::Isometry3d motion(matrix.cast<double>());
+  motion.linear() = Eigen::Quaterniond(motion.linear()).normalized().toRotationMatrix();
+  return motion;
 }
 
 } // namespace pcl::acmap::bench

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <pcl/core/impl/point_view.h>
 #include <pcl/core/planar_pose.h>
 #include <pcl/core/planar_scan.h>
 #include <pcl/core/random.h>
+#include <pcl/core/sensor_view.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/point_cloud.h>
@@ -23,10 +25,13 @@ struct RectificationMap {
   std::vector<std::vector<float>> weights;          ///< one per point
   std::vector<PlanarPose> truth;
   double bin_size = 0.1; ///< metres, the tool's default for such observations
-  double consolidation_seconds = 0; ///< CPU time for all observations
 
   void
   add(const PlanarScan& scan, const PlanarPose& pose);
+
+  /** \brief Adds a view, consolidated at 6 cm, with bins of 5 cm. */
+  void
+  addView(const PointView& points, const SensorView& sensors, const PlanarPose& pose);
 };
 
 /** \brief The laser logs for which there are targets, about 200 scans of each; missing
@@ -76,10 +81,6 @@ drifted(const std::vector<PlanarPose>& truth,
         const DriftModel& drift,
         std::uint64_t seed);
 
-/** \brief The usual noise that is told to the rectification, times a factor. */
-OdometryNoise
-timesNoise(double factor);
-
 /** \brief Result of rectifying a map. */
 struct RectificationRun {
   std::string name; ///< of the map, with level and seed
@@ -110,7 +111,22 @@ rectifyMap(const RectificationMap& map,
            const std::vector<PlanarPose>& given,
            const std::function<void(Rectification&)>& configure = {});
 
-std::string
-nameOf(RectificationOutcome outcome);
+inline std::string
+nameOf(RectificationOutcome outcome)
+{
+  return rectification_outcome_names.at(static_cast<std::size_t>(outcome));
+}
+
+/** \brief Poses in space. */
+std::vector<Eigen::Isometry3d>
+isometriesOf(const std::vector<PlanarPose>& poses);
+
+/** \brief The planar parts of poses. */
+std::vector<PlanarPose>
+planarPartsOf(const std::vector<Eigen::Isometry3d>& poses);
+
+/** \brief The rigid motion that a registration of PCL found. */
+Eigen::Isometry3d
+motionOf(const Eigen::Matrix4f& matrix);
 
 } // namespace pcl::acmap::bench

@@ -234,10 +234,9 @@ addCrease(const std::vector<TruthPlane>& planes,
   }
 }
 
-/** \brief The true planes of a scene, those that are in one plane as one.
- * \param[out] place of each true plane among them */
+/** \brief The true planes of a scene, those that are in one plane as one. */
 std::vector<TruthPlane>
-distinctPlanes(const SceneGeometry& geometry, std::vector<std::size_t>& place)
+distinctPlanes(const SceneGeometry& geometry)
 {
   constexpr double same = 1e-6;
   std::vector<TruthPlane> planes;
@@ -246,7 +245,6 @@ distinctPlanes(const SceneGeometry& geometry, std::vector<std::size_t>& place)
         std::find_if(planes.begin(), planes.end(), [&](const TruthPlane& other) {
           return (other.coefficients - plane.coefficients).norm() < same;
         });
-    place.push_back(static_cast<std::size_t>(known - planes.begin()));
     if (known == planes.end()) {
       planes.push_back(plane);
       continue;
@@ -309,8 +307,7 @@ VisibleTruth
 findVisibleTruth(const SimulatedScene& scene)
 {
   VisibleTruth truth;
-  const std::vector<TruthPlane> planes =
-      distinctPlanes(scene.geometry, truth.face_of_plane);
+  const std::vector<TruthPlane> planes = distinctPlanes(scene.geometry);
   Sight sight(scene);
   for (const TruthPlane& plane : planes)
     truth.faces.push_back(makeFace(plane, sight));

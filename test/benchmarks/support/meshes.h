@@ -40,12 +40,6 @@ struct VotingSeconds {
   double consolidation = 0;
   double mesh = 0;
   double votes = 0;
-
-  double
-  sum() const
-  {
-    return consolidation + mesh + votes;
-  }
 };
 
 /** \brief The representatives of a cloud, their mesh and its votes. */
