@@ -34,10 +34,7 @@ mesh() {
   "$bin/pcl_dewall_surface" "$cloud" "$scratch/$name.ply" "$@"
 }
 
-"$bin/pcl_line_pattern" "$scratch/pattern.png"
-/usr/bin/python3 -c 'import sys; from PIL import Image
-Image.open(sys.argv[1]).reduce(2).quantize(64).save(sys.argv[2], optimize=True)' \
-  "$scratch/pattern.png" "$pictures/line_pattern.png"
+"$bin/pcl_line_pattern" "$pictures/line_pattern.png"
 "$bin/draw_rig_calibration" "$scratch"
 cp "$scratch/rig_calibration.png" "$pictures/"
 
