@@ -81,6 +81,44 @@ TEST(PlaneConversions, contourIsTheLargestRim)
   EXPECT_EQ(region.getContour()[1].x, 7);
 }
 
+TEST(PlaneConversions, outlinesHaveAllPolygonsAndTheirHoles)
+{
+  PlanePatch patch;
+  const std::vector<Eigen::Vector3f> hole{{1, 1, 0}, {1, 2, 0}, {2, 1, 0}};
+  patch.polygons.push_back({{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {hole, {}}});
+  patch.polygons.push_back({{{5, 0, 3}, {7, 0, 3}, {7, 2, 3}, {5, 2, 3}}, {}});
+  std::vector<PlaneOutline<PointNormal>> outlines(5);
+  toOutlines(patch, outlines);
+  ASSERT_EQ(outlines.size(), 2U);
+  EXPECT_EQ(outlines[0].outer.width, 3U);
+  EXPECT_EQ(outlines[0].outer[1].getVector3fMap(), Eigen::Vector3f(9, 0, 0));
+  ASSERT_EQ(outlines[0].holes.size(), 2U);
+  ASSERT_EQ(outlines[0].holes[0].size(), 3U);
+  EXPECT_EQ(outlines[0].holes[0][1].getVector3fMap(), Eigen::Vector3f(1, 2, 0));
+  EXPECT_EQ(outlines[0].holes[0][1].curvature, 0);
+  EXPECT_TRUE(outlines[0].holes[1].empty());
+  EXPECT_EQ(outlines[1].outer.size(), 4U);
+  EXPECT_TRUE(outlines[1].holes.empty());
+  toOutlines(PlanePatch(), outlines);
+  EXPECT_TRUE(outlines.empty());
+}
+
+TEST(PlaneConversions, labelsAreIndicesOfEachPlane)
+{
+  const PointLabels labels{1, -1, 0, 1, -1};
+  PCLHeader header;
+  header.frame_id = "map";
+  const std::vector<PointIndices> planes = toPointIndices(labels, 3, header);
+  ASSERT_EQ(planes.size(), 3U);
+  EXPECT_EQ(planes[0].indices, Indices{2});
+  EXPECT_EQ(planes[1].indices, (Indices{0, 3}));
+  EXPECT_TRUE(planes[2].indices.empty());
+  EXPECT_EQ(planes[2].header.frame_id, "map");
+  EXPECT_EQ(toPointIndices(labels, 2)[1].header.frame_id, "");
+  EXPECT_THROW(toPointIndices(labels, 1), BadArgumentException);
+  EXPECT_EQ(toVector(labels), (std::vector<int>{1, -1, 0, 1, -1}));
+}
+
 TEST(PlaneConversions, patchWithoutPolygonsHasNoContour)
 {
   PlanePatch patch;

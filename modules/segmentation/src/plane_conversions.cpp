@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/segmentation/plane_conversions.h>
 
 namespace pcl {
@@ -64,19 +65,6 @@ spreadOf(const PlanePatch& patch)
   return axes * along * axes.transpose() + across;
 }
 
-std::vector<PointIndices>
-clustersOf(const PointLabels& labels, std::size_t planes, const PCLHeader& header)
-{
-  std::vector<PointIndices> clusters(planes);
-  for (PointIndices& indices : clusters)
-    indices.header = header;
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] >= 0)
-      clusters[static_cast<std::size_t>(labels[i])].indices.push_back(
-          static_cast<index_t>(i));
-  return clusters;
-}
-
 Loop
 largestRim(const PlanePatch& patch)
 {
@@ -94,4 +82,23 @@ largestRim(const PlanePatch& patch)
 }
 
 } // namespace acmap
+
+std::vector<PointIndices>
+toPointIndices(const PointLabels& labels, std::size_t planes, const PCLHeader& header)
+{
+  std::vector<PointIndices> clusters(planes);
+  for (PointIndices& indices : clusters)
+    indices.header = header;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] < 0)
+      continue;
+    const auto plane = static_cast<std::size_t>(labels[i]);
+    if (plane >= planes)
+      throw acmap::BadArgument(
+          "label ", plane, " of point ", i, " is that of none of ", planes, " planes");
+    clusters[plane].indices.push_back(static_cast<index_t>(i));
+  }
+  return clusters;
+}
+
 } // namespace pcl

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -30,17 +31,71 @@ namespace acmap {
 ACMAP_EXPORT Eigen::Matrix3d
 spreadOf(const PlanePatch& patch);
 
-/** \brief Returns the point indices of each plane, given the plane of each point (-1
- * for none). */
-ACMAP_EXPORT std::vector<PointIndices>
-clustersOf(const PointLabels& labels, std::size_t planes, const PCLHeader& header);
-
 /** \brief Returns the outer boundary of the largest polygon, or an empty one if there
  * is none. */
 ACMAP_EXPORT std::vector<Eigen::Vector3f>
 largestRim(const PlanePatch& patch);
 
+/** \brief A boundary as a cloud. */
+template <typename PointT>
+PointCloud<PointT>
+boundaryCloud(const std::vector<Eigen::Vector3f>& boundary)
+{
+  PointCloud<PointT> cloud;
+  for (const Eigen::Vector3f& place : boundary) {
+    PointT point;
+    point.getVector3fMap() = place;
+    cloud.push_back(point);
+  }
+  return cloud;
+}
+
 } // namespace acmap
+
+/** \brief Returns the points of each plane, or of each cylinder, in ascending order.
+ * \param[in] labels the plane of each point, -1 for none, such as MappedPlanes::labels
+ * \param[in] planes their number
+ * \param[in] header of all indices
+ * \throws BadArgumentException for a label that is not less than that number
+ * \ingroup segmentation */
+ACMAP_EXPORT std::vector<PointIndices>
+toPointIndices(const PointLabels& labels,
+               std::size_t planes,
+               const PCLHeader& header = {});
+
+/** \brief Copies labels into a vector with the usual allocator. \ingroup segmentation */
+inline std::vector<int>
+toVector(const PointLabels& labels)
+{
+  return {labels.begin(), labels.end()};
+}
+
+/** \brief A polygon of a plane as clouds. Its outer boundary is counter-clockwise and its
+ * holes are clockwise, as seen from the side to which the normal of the plane points.
+ * \ingroup segmentation */
+template <typename PointT>
+struct PlaneOutline {
+  PointCloud<PointT> outer;
+  std::vector<PointCloud<PointT>> holes;
+};
+
+/** \brief Converts all polygons of a plane to clouds, for example for
+ * PCLVisualizer::addPolygon and ExtractPolygonalPrismData.
+ * \param[in] patch in the frame of the cloud, metres
+ * \param[out] outlines one for each polygon; the fields of their points other than x, y, z
+ * have their default values \ingroup segmentation */
+template <typename PointT>
+void
+toOutlines(const PlanePatch& patch, std::vector<PlaneOutline<PointT>>& outlines)
+{
+  outlines.clear();
+  for (const PlanePolygon& polygon : patch.polygons) {
+    PlaneOutline<PointT> outline{acmap::boundaryCloud<PointT>(polygon.outer), {}};
+    for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
+      outline.holes.push_back(acmap::boundaryCloud<PointT>(hole));
+    outlines.push_back(std::move(outline));
+  }
+}
 
 /** \brief Converts a plane to the type that PCL's organized segmentation returns.
  *
@@ -55,12 +110,7 @@ template <typename PointT>
 void
 toPlanarRegion(const PlanePatch& patch, PlanarRegion<PointT>& region)
 {
-  typename PointCloud<PointT>::VectorType contour;
-  for (const Eigen::Vector3f& place : acmap::largestRim(patch)) {
-    PointT point;
-    point.getVector3fMap() = place;
-    contour.push_back(point);
-  }
+  auto contour = acmap::boundaryCloud<PointT>(acmap::largestRim(patch)).points;
   const Eigen::Matrix3d spread = acmap::spreadOf(patch);
   constexpr std::size_t maximum = std::numeric_limits<unsigned>::max();
   region = PlanarRegion<PointT>(patch.center.cast<float>(),

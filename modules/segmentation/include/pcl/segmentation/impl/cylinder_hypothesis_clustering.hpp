@@ -41,7 +41,7 @@ CylinderHypothesisClustering<PointT>::extract(std::vector<PointIndices>& cluster
 {
   std::vector<CylinderPatch> patches;
   segment(patches);
-  clusters = acmap::clustersOf(getLabels(), patches.size(), input_->header);
+  clusters = toPointIndices(getLabels(), patches.size(), input_->header);
 }
 
 } // namespace pcl

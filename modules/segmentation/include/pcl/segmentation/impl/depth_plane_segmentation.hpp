@@ -73,7 +73,7 @@ DepthPlaneSegmentation<PointT>::extract(std::vector<PointIndices>& clusters)
 {
   std::vector<PlanePatch> patches;
   segment(patches);
-  clusters = acmap::clustersOf(labels_, patches.size(), input_->header);
+  clusters = toPointIndices(labels_, patches.size(), input_->header);
 }
 
 } // namespace pcl

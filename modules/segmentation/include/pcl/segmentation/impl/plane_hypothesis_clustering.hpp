@@ -70,7 +70,7 @@ PlaneHypothesisClustering<PointT>::extract(std::vector<PointIndices>& clusters)
 {
   std::vector<PlanePatch> patches;
   segment(patches);
-  clusters = acmap::clustersOf(getLabels(), patches.size(), input_->header);
+  clusters = toPointIndices(getLabels(), patches.size(), input_->header);
 }
 
 } // namespace pcl
