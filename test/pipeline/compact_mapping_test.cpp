@@ -8,6 +8,7 @@
 #include <pcl/simulation/simulated_observation.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
 #include <pcl/simulation/standard_scenes.h>
+#include <pcl/stereo/active_stereo_grabber.h>
 
 #include <gmock/gmock.h>
 
@@ -597,6 +598,30 @@ TEST(CompactMapping, takesTheCloudsOfAGrabber)
   EXPECT_EQ(mapping.getNumberOfObservations(), 1U);
   CloudGrabber<PointXYZ> colorless;
   EXPECT_THROW(mapping.setInputGrabber(colorless), BadArgumentException);
+}
+
+/** Tells how many callbacks are registered. */
+struct CountedGrabber : ActiveStereoGrabber {
+  using ActiveStereoGrabber::ActiveStereoGrabber;
+
+  template <typename PointT>
+  int
+  callbacks() const
+  {
+    return num_slots<PointCloudCallback<PointT>>();
+  }
+};
+
+TEST(CompactMapping, takesTheCloudsWithNoiseOfAStereoGrabber)
+{
+  CountedGrabber grabber(std::make_shared<SimulatedRigGrabber>(
+      standardScene("corridor"), std::vector<RgbImage>()));
+  CompactMapping mapping;
+  mapping.setInputGrabber(grabber);
+  EXPECT_EQ(grabber.callbacks<PointXYZRGBSigma>(), 1);
+  EXPECT_EQ(grabber.callbacks<PointXYZ>(), 0);
+  EXPECT_EQ(grabber.callbacks<PointXYZRGB>(), 0);
+  EXPECT_EQ(grabber.callbacks<PointXYZRGBA>(), 0);
 }
 
 TEST(CompactMapping, takesTheFramesOfARig)

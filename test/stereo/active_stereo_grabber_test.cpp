@@ -83,6 +83,66 @@ TEST_F(ActiveStereo, GivesWhatFusionAndBackProjectionMake)
   }
 }
 
+template <typename PointT>
+using Clouds = std::vector<typename PointCloud<PointT>::ConstPtr>;
+
+/** Collects the clouds of a point type. */
+template <typename PointT>
+boost::signals2::connection
+collect(ActiveStereoGrabber& grabber, Clouds<PointT>& clouds)
+{
+  const std::function<ActiveStereoGrabber::PointCloudCallback<PointT>> note =
+      [&clouds](const auto& cloud) { clouds.push_back(cloud); };
+  return grabber.registerCallback(note);
+}
+
+template <typename PointT>
+void
+expectSamePlaces(const PointCloud<PointT>& a, const PointCloud<PointXYZRGBSigma>& b)
+{
+  EXPECT_EQ(a.header.seq, b.header.seq);
+  EXPECT_EQ(a.header.stamp, b.header.stamp);
+  EXPECT_EQ(a.header.frame_id, b.header.frame_id);
+  EXPECT_EQ(a.sensor_origin_, b.sensor_origin_);
+  EXPECT_TRUE(a.sensor_orientation_.coeffs() == b.sensor_orientation_.coeffs());
+  EXPECT_EQ(a.is_dense, b.is_dense);
+  ASSERT_EQ(a.width, b.width);
+  ASSERT_EQ(a.height, b.height);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    ASSERT_TRUE(isSame(a[i].x, b[i].x) && isSame(a[i].y, b[i].y) &&
+                isSame(a[i].z, b[i].z))
+        << i;
+}
+
+TEST_F(ActiveStereo, TakesTheCallbacksOfOpenNI)
+{
+  const auto grabber = grab(simulate());
+  Clouds<PointXYZ> points;
+  Clouds<PointXYZRGB> rgb;
+  Clouds<PointXYZRGBA> rgba, nothing;
+  collect<PointXYZ>(*grabber, points);
+  collect<PointXYZRGB>(*grabber, rgb);
+  collect<PointXYZRGBA>(*grabber, rgba);
+  collect<PointXYZRGBA>(*grabber, nothing).disconnect();
+  grabber->start();
+  grabber->wait();
+  EXPECT_EQ(errorOf(*grabber), "");
+  ASSERT_EQ(points.size(), observations);
+  ASSERT_EQ(rgb.size(), observations);
+  ASSERT_EQ(rgba.size(), observations);
+  EXPECT_THAT(nothing, IsEmpty());
+  for (std::size_t i = 0; i < observations; ++i) {
+    const PointCloud<PointXYZRGBSigma>& cloud = *given()[i].cloud;
+    expectSamePlaces(*points[i], cloud);
+    expectSamePlaces(*rgb[i], cloud);
+    expectSamePlaces(*rgba[i], cloud);
+    for (std::size_t k = 0; k < cloud.size(); ++k) {
+      ASSERT_EQ(rgb[i]->points[k].rgba, cloud[k].rgba) << k;
+      ASSERT_EQ(rgba[i]->points[k].rgba, cloud[k].rgba) << k;
+    }
+  }
+}
+
 TEST_F(ActiveStereo, ARecordingGivesTheSame)
 {
   const auto simulated = grab(simulate());
@@ -104,6 +164,8 @@ TEST_F(ActiveStereo, IsAGrabber)
   EXPECT_EQ(grabber->getFramesPerSecond(), 0.0F);
   EXPECT_EQ(grabber->getRig().focal_length, scene_.rig.focal_length);
   EXPECT_TRUE(grabber->providesCallback<ActiveStereoGrabber::CloudCallback>());
+  EXPECT_TRUE(
+      grabber->providesCallback<void(const PointCloud<PointXYZRGBA>::ConstPtr&)>());
   EXPECT_FALSE(grabber->providesCallback<TrinocularGrabber::FrameCallback>());
   EXPECT_FALSE(grabber->isRunning());
   EXPECT_FALSE(grabber->getError());

@@ -1,3 +1,4 @@
+#include <pcl/common/io.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/stereo/active_stereo_grabber.h>
 
@@ -20,16 +21,47 @@ requireGrabber(shared_ptr<TrinocularGrabber> frames)
   return frames;
 }
 
+template <typename PointT>
+using CloudSignal = Signal<ActiveStereoGrabber::PointCloudCallback<PointT>>;
+
+/** Calls the callbacks for clouds of a point type, if there are any. */
+template <typename PointT>
+void
+giveAs(const CloudSignal<PointT>& signal, const PointCloud<PointXYZRGBSigma>& cloud)
+{
+  if (signal.empty())
+    return;
+  const auto converted = pcl::make_shared<PointCloud<PointT>>();
+  copyPointCloud(cloud, *converted);
+  signal(converted);
+}
+
+/** The signals, which belong to the grabber. */
+struct StereoSignals {
+  const CloudSignal<PointXYZRGBSigma>& clouds;
+  const Signal<ActiveStereoGrabber::ObservationCallback>& observations;
+  const CloudSignal<PointXYZ>& points;
+  const CloudSignal<PointXYZRGB>& rgb;
+  const CloudSignal<PointXYZRGBA>& rgba;
+
+  void
+  give(const ActiveStereoObservation& observation) const
+  {
+    clouds(observation.cloud);
+    observations(observation);
+    giveAs<PointXYZ>(points, *observation.cloud);
+    giveAs<PointXYZRGB>(rgb, *observation.cloud);
+    giveAs<PointXYZRGBA>(rgba, *observation.cloud);
+  }
+};
+
 } // namespace
 
 struct ActiveStereoGrabber::State {
-  State(shared_ptr<TrinocularGrabber> frames,
-        const Signal<CloudCallback>& clouds,
-        const Signal<ObservationCallback>& observations)
+  State(shared_ptr<TrinocularGrabber> frames, const StereoSignals& signals)
   : stream(requireGrabber(std::move(frames)),
-           [&clouds, &observations](const ActiveStereoObservation& observation) {
-             clouds(observation.cloud);
-             observations(observation);
+           [signals](const ActiveStereoObservation& observation) {
+             signals.give(observation);
            })
   {}
 
@@ -45,9 +77,13 @@ struct ActiveStereoGrabber::State {
 };
 
 ActiveStereoGrabber::ActiveStereoGrabber(shared_ptr<TrinocularGrabber> frames)
-: state_(std::make_unique<State>(std::move(frames),
-                                 *createSignal<CloudCallback>(),
-                                 *createSignal<ObservationCallback>()))
+: state_(std::make_unique<State>(
+      std::move(frames),
+      StereoSignals{*createSignal<CloudCallback>(),
+                    *createSignal<ObservationCallback>(),
+                    *createSignal<PointCloudCallback<PointXYZ>>(),
+                    *createSignal<PointCloudCallback<PointXYZRGB>>(),
+                    *createSignal<PointCloudCallback<PointXYZRGBA>>()}))
 {}
 
 ActiveStereoGrabber::~ActiveStereoGrabber() noexcept = default;

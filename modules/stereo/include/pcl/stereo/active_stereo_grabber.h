@@ -50,7 +50,9 @@ struct ActiveStereoObservation {
  * not start or stop the frame grabber in the meantime.
  *
  * The header of a cloud has the stamp of the first frame, the number of the observation
- * as `seq`, and `frame_id` "reference_camera". The sensor is at the origin.
+ * as `seq`, and `frame_id` "reference_camera". The sensor is at the origin. A program
+ * written for PCL's OpenNIGrabber can register its callbacks here
+ * (\ref PointCloudCallback); `sigma` is lost in its point types.
  *
  * An observation is complete when a frame of another observation arrives, or a frame
  * whose number is not greater than the last one, or when the stream ends by itself. An
@@ -72,8 +74,14 @@ struct ActiveStereoObservation {
  * \ingroup stereo */
 class ACMAP_EXPORT ActiveStereoGrabber : public Grabber {
 public:
-  /** \brief Signatures of the two signals, for registerCallback of PCL. */
-  using CloudCallback = void(const PointCloud<PointXYZRGBSigma>::ConstPtr& cloud);
+  /** \brief Signature for clouds, for registerCallback of PCL. PointT is
+   * PointXYZRGBSigma, or one of those of OpenNIGrabber, PointXYZ, PointXYZRGB and
+   * PointXYZRGBA, to which a cloud is converted if such a callback is connected. */
+  template <typename PointT>
+  using PointCloudCallback = void(const typename PointCloud<PointT>::ConstPtr& cloud);
+
+  using CloudCallback = PointCloudCallback<PointXYZRGBSigma>;
+
   using ObservationCallback = void(const ActiveStereoObservation& observation);
 
   /** \param[in] frames grabber of rectified frames; its rig is used for the fusion and
