@@ -25,10 +25,9 @@ std::vector<std::string>
 saveMap(const ReportedMap& reported, const std::string& folder, double color_tolerance)
 {
   const py::gil_scoped_release others_may_run;
-  CompactMap map = reported.map; // its charts get their places in the pages
   CompactMapOutputs outputs;
   outputs.color_tolerance = color_tolerance;
-  return saveCompactMap(folder, map, outputs);
+  return saveCompactMap(folder, reported.map, outputs);
 }
 
 ReportedMap

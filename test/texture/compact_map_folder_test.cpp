@@ -186,6 +186,18 @@ TEST_F(CompactMapFolder, NamesThatClimbOutAreRefused)
   EXPECT_LT(fault.size(), path().size() + 400);
 }
 
+TEST_F(CompactMapFolder, ConstMapIsSavedAndStaysAsItIs)
+{
+  const CompactMap map = map_;
+  const std::vector<std::string> names = saveCompactMap(path(), map);
+  EXPECT_EQ(map.charts[0].image, map_.charts[0].image);
+  EXPECT_FALSE(map.charts[0].image_place);
+  const std::string text = contentOf(path("map.json"));
+  EXPECT_EQ(saveCompactMap(path(), map_), names);
+  EXPECT_TRUE(map_.charts[0].image_place);
+  EXPECT_EQ(contentOf(path("map.json")), text);
+}
+
 TEST_F(CompactMapFolder, LinksThatLeadOutAreRefused)
 {
   namespace fs = std::filesystem;

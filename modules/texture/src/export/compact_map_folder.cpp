@@ -231,4 +231,13 @@ saveCompactMap(const std::string& folder,
   return written;
 }
 
+std::vector<std::string>
+saveCompactMap(const std::string& folder,
+               const CompactMap& map,
+               const CompactMapOutputs& outputs)
+{
+  CompactMap copy = map;
+  return saveCompactMap(folder, copy, outputs);
+}
+
 } // namespace pcl

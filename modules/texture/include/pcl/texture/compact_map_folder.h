@@ -46,6 +46,13 @@ saveCompactMap(const std::string& folder,
                CompactMap& map,
                const CompactMapOutputs& outputs = {});
 
+/** \brief The same for a map that stays as it is: its pictures are copied, and only the
+ * copies get their places. \ingroup texture */
+ACMAP_EXPORT std::vector<std::string>
+saveCompactMap(const std::string& folder,
+               const CompactMap& map,
+               const CompactMapOutputs& outputs = {});
+
 /** \brief Reads map.json and its images, also those of older maps with one image per
  * chart. The colours are divided by the exposure, so that they are those of the input;
  * texels that were stored at 255 can have been brighter. Charts that name no image have
