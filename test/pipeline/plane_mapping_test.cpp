@@ -587,6 +587,162 @@ TEST(PlaneMapping, doesNotConsolidateWhatIsSparseAndExact)
   EXPECT_EQ(found.labels, PointLabels(floor->size(), 0));
 }
 
+/** The points that have another label. */
+std::shared_ptr<PointIndices>
+pointsWithout(const PointLabels& labels, std::int32_t label)
+{
+  const auto others = std::make_shared<PointIndices>();
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] != label)
+      others->indices.push_back(static_cast<index_t>(i));
+  return others;
+}
+
+/** The area of the planes that lie on a plane, square metres. */
+double
+areaOn(const PlanePatch& plane, const std::vector<PlanePatch>& planes)
+{
+  double area = 0;
+  for (const PlanePatch& other : planes)
+    if ((other.coefficients - plane.coefficients).norm() < 0.05)
+      area += other.area;
+  return area;
+}
+
+void
+expectNoLabelOutside(const Indices& indices, const PointLabels& labels)
+{
+  std::vector<bool> is_inside(labels.size());
+  for (const index_t index : indices)
+    is_inside[static_cast<std::size_t>(index)] = true;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    ASSERT_TRUE(is_inside[i] || labels[i] == -1) << i;
+}
+
+TEST_F(Office, isMappedWithItsIndicesAlone)
+{
+  MappedPlanes all, rest, again;
+  PlaneMapping mapping = this->mapping();
+  EXPECT_FALSE(mapping.getIndices());
+  mapping.compute(all);
+  const std::shared_ptr<PointIndices> others = pointsWithout(all.labels, 0);
+  mapping.setIndices(others);
+  mapping.compute(rest);
+  EXPECT_EQ(rest.labels.size(), all.labels.size());
+  EXPECT_EQ(rest.finite_points, others->indices.size());
+  expectNoLabelOutside(others->indices, rest.labels);
+  EXPECT_GE(rest.planes.size() + 2, all.planes.size());
+  EXPECT_LT(areaOn(all.planes[0], rest.planes), 0.2 * all.planes[0].area);
+
+  const IndicesPtr indices(new Indices(others->indices));
+  mapping.setIndices(indices);
+  mapping.compute(again);
+  EXPECT_EQ(again.labels, rest.labels);
+  mapping.setIndices(PointIndicesConstPtr());
+  mapping.compute(again);
+  EXPECT_EQ(again.labels, all.labels);
+  mapping.setIndices(indices);
+  mapping.setIndices(IndicesConstPtr());
+  EXPECT_FALSE(mapping.getIndices());
+}
+
+TEST_F(Office, isMappedOnItsMeshWithItsIndicesAlone)
+{
+  MappedPlanes first, rest;
+  PlaneMapping mapping = this->mapping();
+  mapping.compute(first);
+  const std::shared_ptr<PointIndices> others = pointsWithout(first.vertex_labels, 0);
+  mapping.setInputCloud(first.vertices);
+  mapping.setInputMesh(first.mesh);
+  mapping.setIndices(others);
+  mapping.compute(rest);
+  expectNoLabelOutside(others->indices, rest.labels);
+  EXPECT_GE(rest.planes.size(), 3U);
+}
+
+TEST(PlaneMapping, leavesOutPixelsOfAPicture)
+{
+  PlaneMapping mapping;
+  mapping.setInputCloud(kinectView());
+  MappedPlanes all, rest;
+  mapping.compute(all);
+  const std::shared_ptr<PointIndices> others = pointsWithout(all.labels, 0);
+  mapping.setIndices(others);
+  mapping.compute(rest);
+  EXPECT_TRUE(mapping.getReport().depth_planes);
+  EXPECT_EQ(rest.vertices.layout().height, DepthRoom::height);
+  EXPECT_EQ(rest.labels.size(), all.labels.size());
+  expectNoLabelOutside(others->indices, rest.labels);
+  EXPECT_GE(rest.planes.size() + 2, all.planes.size());
+}
+
+TEST(PlaneMapping, refusesAnIndexAsTheFiltersDo)
+{
+  const PointCloud<PointXYZ>::Ptr view = kinectView();
+  const auto faultOf = [](const auto& run) -> std::string {
+    try {
+      run();
+    }
+    catch (const InitFailedException& fault) {
+      return fault.what();
+    }
+    return "none";
+  };
+  for (const index_t index : {-1, static_cast<index_t>(view->size())}) {
+    const IndicesPtr indices(new Indices{0, index});
+    PlaneMapping mapping;
+    mapping.setInputCloud(view);
+    mapping.setIndices(indices);
+    MappedPlanes found;
+    VoxelConsolidation<PointXYZ> filter;
+    filter.setInputCloud(view);
+    filter.setIndices(indices);
+    PointCloud<PointXYZ> filtered;
+    EXPECT_EQ(faultOf([&] { mapping.compute(found); }),
+              faultOf([&] { filter.filter(filtered); }));
+    EXPECT_NE(faultOf([&] { mapping.compute(found); }), "none");
+  }
+}
+
+TEST(PlaneMapping, givesTheTypesOfPcl)
+{
+  const PointCloud<PointXYZ>::Ptr view = kinectView();
+  view->header.frame_id = "camera";
+  view->header.seq = 7;
+  PlaneMapping mapping;
+  mapping.setInputCloud(view);
+  MappedPlanes found;
+  std::vector<ModelCoefficients> coefficients(99);
+  std::vector<PointIndices> inliers(99);
+  mapping.compute(found);
+  mapping.compute(coefficients, inliers);
+  ASSERT_EQ(coefficients.size(), found.planes.size());
+  ASSERT_EQ(inliers.size(), found.planes.size());
+  std::size_t members = 0;
+  for (std::size_t plane = 0; plane < inliers.size(); ++plane) {
+    EXPECT_EQ(Eigen::Map<const Eigen::Vector4f>(coefficients[plane].values.data()),
+              found.planes[plane].coefficients.cast<float>());
+    EXPECT_EQ(coefficients[plane].header.seq, 7U);
+    EXPECT_EQ(inliers[plane].header.frame_id, "camera");
+    members += inliers[plane].indices.size();
+    for (const index_t index : inliers[plane].indices)
+      ASSERT_EQ(found.labels[static_cast<std::size_t>(index)], plane);
+  }
+  EXPECT_EQ(members,
+            std::count_if(found.labels.begin(), found.labels.end(), [](int label) {
+              return label >= 0;
+            }));
+
+  PointIndices largest;
+  ModelCoefficients plane;
+  mapping.segment(largest, plane);
+  EXPECT_EQ(largest.indices, inliers[0].indices);
+  EXPECT_EQ(plane.values, coefficients[0].values);
+  mapping.setIndices(IndicesPtr(new Indices));
+  mapping.segment(largest, plane);
+  EXPECT_TRUE(largest.indices.empty() && plane.values.empty());
+}
+
 TEST(PlaneMapping, refusesWhatIsNoCloud)
 {
   PlaneMapping mapping;

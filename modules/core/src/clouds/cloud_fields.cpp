@@ -2,6 +2,7 @@
 #include <pcl/common/io.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/input_check.h>
 
 #include <algorithm>
 #include <set>
@@ -153,13 +154,7 @@ requirePoints(const CloudRows& rows, const Indices* indices)
             cloud.point_step,
             rows.size(),
             rows.shares().get()};
-  for (const index_t index : *indices)
-    if (index < 0 || static_cast<std::size_t>(index) >= rows.size())
-      throw acmap::InitFailed("index ",
-                              index,
-                              " is outside of the input cloud of ",
-                              rows.size(),
-                              " points");
+  requireIndices(*indices, rows.size());
   return {rows.data() + x->offset, cloud.point_step, indices->size(), indices->data()};
 }
 

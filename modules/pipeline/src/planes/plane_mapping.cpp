@@ -13,9 +13,13 @@
 #include <pcl/pipeline/picture.h>
 #include <pcl/pipeline/plane_mapping.h>
 #include <pcl/segmentation/box_fitting.h>
+#include <pcl/segmentation/plane_conversions.h>
 #include <pcl/segmentation/recess_fitting.h>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -42,6 +46,28 @@ rimTolerance(const CylinderClusteringReport& report)
 {
   constexpr double vertices = 2, sigmas = 3, maximum = 1e9;
   return std::min(maximum, vertices * report.spacing + sigmas * report.sigma);
+}
+
+/** A copy of the rows, in which the points outside of the indices are NaN. */
+CloudRows
+rowsOfIndices(const CloudRows& rows, const Indices& indices)
+{
+  requirePoints(rows, &indices);
+  std::vector<bool> is_kept(rows.size());
+  for (const index_t index : indices)
+    is_kept[static_cast<std::size_t>(index)] = true;
+  PCLPointCloud2 layout = layoutWith(rows.layout(), {});
+  layout.width = rows.layout().width;
+  layout.height = rows.layout().height;
+  layout.is_dense = 0;
+  const std::size_t step = layout.point_step, x = findField(layout, "x")->offset;
+  LargeVector<std::uint8_t> kept(rows.data(), rows.data() + rows.size() * step);
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  constexpr std::array<float, 3> nowhere{nan, nan, nan};
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (!is_kept[i])
+      std::memcpy(&kept[i * step + x], nowhere.data(), sizeof nowhere);
+  return {std::move(layout), std::move(kept)};
 }
 
 /** The points for a mesh construction of PCL; fields that they lack are zero. */
@@ -460,6 +486,13 @@ PlaneMapping::setInputCloud(const CloudRows& rows,
 }
 
 void
+PlaneMapping::setIndices(const PointIndicesConstPtr& indices)
+{
+  // shares the lifetime of the PointIndices
+  indices_ = indices ? IndicesConstPtr(indices, &indices->indices) : nullptr;
+}
+
+void
 PlaneMapping::setViewpoints(std::vector<Eigen::Vector3f> viewpoints)
 {
   requireViewpoints(viewpoints);
@@ -491,17 +524,18 @@ PlaneMapping::setMeshConstruction(const MeshConstruction<Vertex>::Ptr& construct
 void
 PlaneMapping::compute(MappedPlanes& result)
 {
-  const PointView points = requirePoints(rows_);
+  const CloudRows rows = indices_ ? rowsOfIndices(rows_, *indices_) : rows_;
+  const PointView points = requirePoints(rows);
   PlaneMappingReport report;
   report.mode = mode_;
   MappedPlanes found;
-  PlaneMappingRun run(*this, rows_, *input_, cost_callback_, progress_, report);
+  PlaneMappingRun run(*this, rows, *input_, cost_callback_, progress_, report);
   if (!input_mesh_.triangles.empty()) {
     requireCornersInside(input_mesh_.triangles, points.size());
     found = run.fromMesh(input_mesh_);
   }
   else if (const std::optional<Picture> picture =
-               pictureOf(points, rows_.layout().width, getUsedDepthSensor()))
+               pictureOf(points, rows.layout().width, getUsedDepthSensor()))
     found = run.inPicture(*picture);
   else
     found = run.inSpace(viewpoints_);
@@ -510,6 +544,32 @@ PlaneMapping::compute(MappedPlanes& result)
     addRemarks(report, lengthRemarks(points));
   result = std::move(found);
   report_ = std::move(report);
+}
+
+void
+PlaneMapping::compute(std::vector<ModelCoefficients>& coefficients,
+                      std::vector<PointIndices>& inliers)
+{
+  MappedPlanes found;
+  compute(found);
+  const PCLHeader& header = rows_.layout().header;
+  inliers = toPointIndices(found.labels, found.planes.size(), header);
+  coefficients.assign(found.planes.size(), {});
+  for (std::size_t i = 0; i < found.planes.size(); ++i) {
+    coefficients[i].header = header;
+    toModelCoefficients(found.planes[i], coefficients[i]);
+  }
+}
+
+void
+PlaneMapping::segment(PointIndices& inliers, ModelCoefficients& coefficients)
+{
+  std::vector<ModelCoefficients> all_coefficients;
+  std::vector<PointIndices> all_inliers;
+  compute(all_coefficients, all_inliers);
+  inliers = all_inliers.empty() ? PointIndices() : std::move(all_inliers.front());
+  coefficients = all_coefficients.empty() ? ModelCoefficients()
+                                          : std::move(all_coefficients.front());
 }
 
 } // namespace pcl

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/ModelCoefficients.h>
+#include <pcl/PointIndices.h>
 #include <pcl/conversions.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
@@ -84,6 +86,26 @@ public:
   setInputCloud(const std::shared_ptr<PointCloud<PointT>>& cloud)
   {
     setInputCloud(std::shared_ptr<const PointCloud<PointT>>(cloud));
+  }
+
+  /** \brief Sets the points of the cloud that are used, as in PCLBase; a null pointer
+   * (default): all. They hold for clouds that are set later, too.
+   *
+   * The other points have no label and support no plane. They stay in their places, as
+   * points without coordinates: an organized cloud stays organized. */
+  void
+  setIndices(const IndicesConstPtr& indices)
+  {
+    indices_ = indices;
+  }
+
+  void
+  setIndices(const PointIndicesConstPtr& indices);
+
+  IndicesConstPtr
+  getIndices() const
+  {
+    return indices_;
   }
 
   /** \brief Sets the mesh whose vertices the points of the cloud are; nothing is then
@@ -289,7 +311,8 @@ public:
 
   /** \brief Finds the planes of the input cloud.
    * \param[out] result no planes, with the reason in the report, if there are none
-   * \throws InitFailedException without a cloud, and as the steps do
+   * \throws InitFailedException without a cloud, with an index outside of it, and as the
+   * steps do
    * \throws UnorganizedPointCloudException if the sensor that was set requires a
    * picture and the cloud is not one view in its sensor's frame
    * \throws CancelledException if the progress callback stopped it
@@ -297,9 +320,24 @@ public:
   void
   compute(MappedPlanes& result);
 
+  /** \brief The same in the types of OrganizedMultiPlaneSegmentation, for any cloud.
+   * \param[out] coefficients four values for each plane, in the order of decreasing area
+   * \param[out] inliers for each plane its points in the input cloud */
+  void
+  compute(std::vector<ModelCoefficients>& coefficients,
+          std::vector<PointIndices>& inliers);
+
+  /** \brief The largest plane alone, as SACSegmentation gives it. All planes are found
+   * for it: who wants all of them calls \ref compute once.
+   * \param[out] inliers its points in the input cloud; none if there is no plane
+   * \param[out] coefficients its four values; none if there is no plane */
+  void
+  segment(PointIndices& inliers, ModelCoefficients& coefficients);
+
 private:
   CloudRows rows_;
   std::shared_ptr<const PointCloudFile> input_; ///< sensor and remarks of the rows
+  IndicesConstPtr indices_;                     ///< null: all points
   TriangleMesh input_mesh_;
   std::vector<Eigen::Vector3f> viewpoints_;
   DepthSensor sensor_ = DepthSensor::Automatic;

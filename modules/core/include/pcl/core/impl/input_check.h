@@ -5,6 +5,17 @@
 
 namespace pcl::acmap {
 
+/** \brief Checks that all indices are those of points.
+ * \throws InitFailedException naming the first one that is not \ingroup core */
+inline void
+requireIndices(const Indices& indices, std::size_t points)
+{
+  for (const index_t index : indices)
+    if (index < 0 || static_cast<std::size_t>(index) >= points)
+      throw acmap::InitFailed(
+          "index ", index, " is outside of the input cloud of ", points, " points");
+}
+
 /** \brief Checks that the input of a class has a cloud that holds the pixels that it claims,
  * and that all indices are valid.
  * PCL's own classes do not check indices and read outside of the cloud.
@@ -24,15 +35,8 @@ requireInput(const typename PointCloud<PointT>::ConstPtr& input, const Indices* 
                             input->height,
                             " points and has ",
                             input->size());
-  if (!indices)
-    return;
-  for (const index_t index : *indices)
-    if (index < 0 || static_cast<std::size_t>(index) >= input->size())
-      throw acmap::InitFailed("index ",
-                              index,
-                              " is outside of the input cloud of ",
-                              input->size(),
-                              " points");
+  if (indices)
+    requireIndices(*indices, input->size());
 }
 
 } // namespace pcl::acmap
