@@ -716,6 +716,7 @@ TEST(PlaneMapping, givesTheTypesOfPcl)
   std::vector<PointIndices> inliers(99);
   mapping.compute(found);
   mapping.compute(coefficients, inliers);
+  EXPECT_FALSE(mapping.getReport().mesh) << "nobody asked for one";
   ASSERT_EQ(coefficients.size(), found.planes.size());
   ASSERT_EQ(inliers.size(), found.planes.size());
   std::size_t members = 0;

@@ -95,15 +95,18 @@ namespace {
 /** One run of the steps. */
 class PlaneMappingRun {
 public:
-  /** \param[in] rows points
+  /** \param[in] compute_mesh also in a picture
+   * \param[in] rows points
    * \param[in] file sensor and remarks of the rows */
   PlaneMappingRun(const PlaneMapping& mapping,
+                  bool compute_mesh,
                   const CloudRows& rows,
                   const PointCloudFile& file,
                   const CostCallback& cost,
                   ProgressCallback progress,
                   PlaneMappingReport& report)
   : mapping_(mapping)
+  , compute_mesh_(compute_mesh)
   , rows_(rows)
   , file_(file)
   , cost_(cost)
@@ -174,8 +177,8 @@ public:
     result.labels = picture.order ? picture.order->labelsOfPoints(labels) : labels;
     result.finite_points =
         report_.depth_planes->points - report_.depth_planes->invalid_points;
-    const bool needs_mesh = mapping_.getComputeCylinders() ||
-                            (mapping_.getComputeMesh() && !result.planes.empty());
+    const bool needs_mesh =
+        mapping_.getComputeCylinders() || (compute_mesh_ && !result.planes.empty());
     if (!needs_mesh)
       return result;
     refine(picture.order, labels, result);
@@ -454,6 +457,7 @@ private:
   }
 
   const PlaneMapping& mapping_;
+  const bool compute_mesh_;
   const CloudRows& rows_;
   const PointCloudFile& file_;
   const CostCallback& cost_;
@@ -524,12 +528,19 @@ PlaneMapping::setMeshConstruction(const MeshConstruction<Vertex>::Ptr& construct
 void
 PlaneMapping::compute(MappedPlanes& result)
 {
+  runSteps(compute_mesh_, result);
+}
+
+void
+PlaneMapping::runSteps(bool compute_mesh, MappedPlanes& result)
+{
   const CloudRows rows = indices_ ? rowsOfIndices(rows_, *indices_) : rows_;
   const PointView points = requirePoints(rows);
   PlaneMappingReport report;
   report.mode = mode_;
   MappedPlanes found;
-  PlaneMappingRun run(*this, rows, *input_, cost_callback_, progress_, report);
+  PlaneMappingRun run(
+      *this, compute_mesh, rows, *input_, cost_callback_, progress_, report);
   if (!input_mesh_.triangles.empty()) {
     requireCornersInside(input_mesh_.triangles, points.size());
     found = run.fromMesh(input_mesh_);
@@ -551,7 +562,7 @@ PlaneMapping::compute(std::vector<ModelCoefficients>& coefficients,
                       std::vector<PointIndices>& inliers)
 {
   MappedPlanes found;
-  compute(found);
+  runSteps(false, found);
   const PCLHeader& header = rows_.layout().header;
   inliers = toPointIndices(found.labels, found.planes.size(), header);
   coefficients.assign(found.planes.size(), {});

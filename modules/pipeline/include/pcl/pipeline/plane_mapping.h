@@ -320,7 +320,8 @@ public:
   void
   compute(MappedPlanes& result);
 
-  /** \brief The same in the types of OrganizedMultiPlaneSegmentation, for any cloud.
+  /** \brief The same in the types of OrganizedMultiPlaneSegmentation, for any cloud; no
+   * mesh of a view is made whose planes are found in its picture.
    * \param[out] coefficients four values for each plane, in the order of decreasing area
    * \param[out] inliers for each plane its points in the input cloud */
   void
@@ -335,6 +336,10 @@ public:
   segment(PointIndices& inliers, ModelCoefficients& coefficients);
 
 private:
+  /** \param[in] compute_mesh also of a view whose planes are found in its picture */
+  void
+  runSteps(bool compute_mesh, MappedPlanes& result);
+
   CloudRows rows_;
   std::shared_ptr<const PointCloudFile> input_; ///< sensor and remarks of the rows
   IndicesConstPtr indices_;                     ///< null: all points
