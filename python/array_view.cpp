@@ -32,6 +32,24 @@ stepThrough(const std::string& name, const py::array& array, int leading)
   return column;
 }
 
+/** The array as it is, or brought to the range of bytes: colours of 0 to 1, and those of 16
+ * bits, would be black or torn after a mere conversion to them. */
+std::string
+scaled(const std::string& name, const py::array& array, const py::dtype& type)
+{
+  constexpr double brightest = 255;
+  if (!type.equal(py::dtype::of<std::uint8_t>()) || array.size() == 0 ||
+      std::string("fiub").find(array.dtype().kind()) == std::string::npos)
+    return name;
+  const auto largest =
+      py::module_::import("numpy").attr("nanmax")(array).cast<double>();
+  const char kind = array.dtype().kind();
+  if (kind == 'b' || (kind == 'f' && largest <= 1))
+    return "(" + name + " * 255)";
+  return largest > brightest ? "(" + name + " * (255 / numpy.nanmax(" + name + ")))"
+                             : name;
+}
+
 } // namespace
 
 void
@@ -64,8 +82,8 @@ arrayOf(const std::string& name,
   auto array = py::reinterpret_borrow<py::array>(argument);
   if (!array.dtype().equal(type))
     throw py::type_error(name + ": " + std::string(py::str(array.dtype())) +
-                         " is refused, nothing is converted unasked: pass " + name +
-                         ".astype(" + wanted + ")");
+                         " is refused, nothing is converted unasked: pass " +
+                         scaled(name, array, type) + ".astype(" + wanted + ")");
   if (std::find(ranks.begin(), ranks.end(), array.ndim()) == ranks.end())
     refuseShape(name, array, shape);
   return array;

@@ -401,6 +401,33 @@ class Observations(MapTest):
             with self.subTest(text), self.assertRaisesRegex(error, text):
                 acmap.CompactMapping().add_observation(*arguments)
 
+    def test_the_conversion_that_is_named_keeps_colours_bright(self):
+        points, colors = views[0]
+        gaps = (colors / 255).astype(numpy.float32)
+        gaps[0, 0] = numpy.nan
+        for name, given in (
+            ("0 to 1", colors / 255),
+            ("0 to 1 with NaN", gaps),
+            ("0 to 255", colors.astype(numpy.float32)),
+            ("integers", colors.astype(numpy.int64)),
+            ("16 bits", colors.astype(numpy.uint16) * 257),
+            ("black", numpy.zeros(colors.shape)),
+            ("bool", colors > 128),
+        ):
+            with self.subTest(name), numpy.errstate(invalid="ignore"):
+                with self.assertRaisesRegex(TypeError, "^colors: .* is refused") as refused:
+                    acmap.CompactMapping().add_observation(points, given)
+                advice = str(refused.exception).split("pass ")[1]
+                converted = eval(advice, {"numpy": numpy, "colors": given})
+                self.assertEqual(converted.dtype, numpy.uint8)
+                acmap.CompactMapping().add_observation(points, converted)
+                if name == "bool":
+                    self.assertEqual(converted.max(), 255)
+                elif name != "black":
+                    off = abs(converted.astype(int) - colors)[1:]
+                    largest = 30 if name == "16 bits" else 1
+                    self.assertLessEqual(off.max(), largest)
+
     def test_a_refused_observation_is_not_added(self):
         mapping = acmap.CompactMapping()
         with self.assertRaises(ValueError):
