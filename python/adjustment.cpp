@@ -2,6 +2,7 @@
 #include "bindings.h"
 #include "kernel_call.h"
 #include "poses.h"
+#include "results.h"
 
 #include <pcl/core/impl/parallel.h>
 #include <pcl/mapping/impl/plane_adjustment_kernel.h>
@@ -16,8 +17,8 @@ using namespace py::literals;
 
 /** Result of adjust. */
 struct Adjusted {
-  py::array poses;
-  py::object report;
+  py::array_t<double> poses;
+  ReportObject report;
 };
 
 std::vector<AdjustedView>
@@ -95,16 +96,20 @@ progress          called with (fraction, step); stops the run when it returns Fa
 void
 bindAdjustment(py::module_& module)
 {
-  py::class_<Adjusted>(module, "Adjusted", "What adjust found.")
-      .def_readonly("poses",
-                    &Adjusted::poses,
-                    "(k, 4, 4) float64, T_map_camera; as they came unless "
-                    "report.outcome is 'adjusted'")
-      .def_readonly("report",
-                    &Adjusted::report,
-                    "outcome, its reason, evidence, seconds and remarks, named as in "
-                    "pcl::PlaneAdjustmentReport; uncertainty as the arrays position_sd "
-                    "and rotation_sd");
+  bindResult<Adjusted>(
+      module,
+      "Adjusted",
+      "What adjust found.",
+      "poses report",
+      field("poses",
+            &Adjusted::poses,
+            "(k, 4, 4) float64, T_map_camera; as they came unless "
+            "report.outcome is 'adjusted'"),
+      field("report",
+            &Adjusted::report,
+            "outcome, its reason, evidence, seconds and remarks, named as in "
+            "pcl::PlaneAdjustmentReport; uncertainty as the arrays position_sd "
+            "and rotation_sd"));
   const PlaneAdjustmentSettings defaults;
   module.def(
       "adjust",

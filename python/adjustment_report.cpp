@@ -8,7 +8,7 @@ namespace pcl::acmap::python {
 namespace {
 
 /** Standard deviations of all poses, as an array that owns them. */
-py::array
+py::array_t<double>
 standardDeviationsOf(const std::vector<PoseUncertainty>& poses,
                      double PoseUncertainty::*deviation)
 {
@@ -21,7 +21,7 @@ standardDeviationsOf(const std::vector<PoseUncertainty>& poses,
 
 } // namespace
 
-py::object
+ReportObject
 reportOfAdjustment(const PlaneAdjustmentReport& report)
 {
   py::dict fields = fieldsOf(report);

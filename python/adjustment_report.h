@@ -1,13 +1,13 @@
 #pragma once
 
-#include <pcl/mapping/plane_adjustment_types.h>
+#include "shown.h"
 
-#include <pybind11/pybind11.h>
+#include <pcl/mapping/plane_adjustment_types.h>
 
 namespace pcl::acmap::python {
 
-/** \brief Converts the report of a plane adjustment to a Python object. */
-pybind11::object
+/** \brief Converts the report of a plane adjustment to an acmap.Report. */
+ReportObject
 reportOfAdjustment(const PlaneAdjustmentReport& report);
 
 } // namespace pcl::acmap::python

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "shown.h"
+
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/triangle_mesh.h>
 
@@ -13,21 +15,6 @@
 #include <vector>
 
 namespace pcl::acmap::python {
-
-namespace py = pybind11;
-
-/** \brief Argument of any type. It is checked by the functions below, whose messages
- * contain its name, and not by pybind11, which would convert it.
- * \tparam Shown its `name` is the type that signatures show */
-template <typename Shown>
-class Argument : public py::object {
-  PYBIND11_OBJECT_DEFAULT(Argument, object, anything)
-  static bool
-  anything(PyObject*)
-  {
-    return true;
-  }
-};
 
 struct ShownPoints {
   static constexpr auto name = py::detail::const_name("numpy.ndarray[float32[n, 3]]");
@@ -46,11 +33,11 @@ struct ShownPoses {
       py::detail::const_name("numpy.ndarray[float64[k, 4, 4]]");
 };
 
-using PointArgument = Argument<ShownPoints>;
-using IndexArgument = Argument<ShownIndices>;
-using WeightArgument = Argument<ShownWeights>;
-using SinglePoseArgument = Argument<ShownPose>;
-using PoseArgument = Argument<ShownPoses>;
+using PointArgument = ShownAs<ShownPoints>;
+using IndexArgument = ShownAs<ShownIndices>;
+using WeightArgument = ShownAs<ShownWeights>;
+using SinglePoseArgument = ShownAs<ShownPose>;
+using PoseArgument = ShownAs<ShownPoses>;
 
 /** \brief Points of an array; the array must outlive the view. */
 struct PointRows {
@@ -117,7 +104,7 @@ owned(Value&& value)
  * \param[in] columns number of values per record; 0: one value, and a 1-D array
  * \param[in] owner of the vector; the array keeps a reference to it */
 template <typename Value, typename Record, typename Allocator, typename Address>
-py::array
+py::array_t<Value>
 fieldOf(const std::vector<Record, Allocator>& records,
         py::ssize_t columns,
         const py::handle& owner,
@@ -130,12 +117,12 @@ fieldOf(const std::vector<Record, Allocator>& records,
     shape.push_back(columns);
     strides.push_back(sizeof(Value));
   }
-  return py::array(py::dtype::of<Value>(), shape, strides, first, owner);
+  return py::array_t<Value>(shape, strides, first, owner);
 }
 
 /** \brief Moves a vector of numbers into an array. */
 template <typename Value, typename Allocator>
-py::array
+py::array_t<Value>
 arrayOver(std::vector<Value, Allocator>&& values)
 {
   const auto [kept, owner] = owned(std::move(values));
@@ -143,12 +130,3 @@ arrayOver(std::vector<Value, Allocator>&& values)
 }
 
 } // namespace pcl::acmap::python
-
-namespace pybind11::detail {
-
-template <typename Shown>
-struct handle_type_name<pcl::acmap::python::Argument<Shown>> {
-  static constexpr auto name = Shown::name;
-};
-
-} // namespace pybind11::detail

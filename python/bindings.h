@@ -43,6 +43,10 @@ bindPlanePatches(pybind11::module_& module);
 void
 bindPlanes(pybind11::module_& module);
 
+/** \brief The class of all reports. */
+void
+bindReport(pybind11::module_& module);
+
 void
 bindRecessPatches(pybind11::module_& module);
 
@@ -54,5 +58,13 @@ bindTextureCharts(pybind11::module_& module);
 
 void
 bindFiles(pybind11::module_& module);
+
+/** \brief Pickling and reprs of classes that are bound. */
+void
+bindStates();
+
+/** \brief Tells inspect the signatures of all functions of the module. */
+void
+bindSignatures(const pybind11::module_& module);
 
 } // namespace pcl::acmap::python

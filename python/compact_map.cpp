@@ -2,6 +2,7 @@
 
 #include "bindings.h"
 #include "members.h"
+#include "path_argument.h"
 #include "poses.h"
 
 #include <pcl/core/map_topology.h>
@@ -22,8 +23,11 @@ trajectoryOf(const py::object& self)
 }
 
 std::vector<std::string>
-saveMap(const ReportedMap& reported, const std::string& folder, double color_tolerance)
+saveMap(const ReportedMap& reported,
+        const PathArgument& argument,
+        double color_tolerance)
 {
+  const std::string folder = pathOf("folder", argument);
   const py::gil_scoped_release others_may_run;
   CompactMapOutputs outputs;
   outputs.color_tolerance = color_tolerance;
@@ -31,8 +35,9 @@ saveMap(const ReportedMap& reported, const std::string& folder, double color_tol
 }
 
 ReportedMap
-readMap(const std::string& folder)
+readMap(const PathArgument& argument)
 {
+  const std::string folder = pathOf("folder", argument);
   CompactMap map;
   {
     const py::gil_scoped_release others_may_run;
@@ -64,6 +69,15 @@ bindCompactMap(py::module_& module)
                 return reported.map.planes;
               }),
           "list of PlanePatch, by falling area")
+      .def_property_readonly(
+          "area",
+          [](const ReportedMap& reported) {
+            double area = 0;
+            for (const PlanePatch& patch : reported.map.planes)
+              area += patch.area;
+            return area;
+          },
+          "square metres, of all planes")
       .def_property_readonly(
           "cylinders",
           memberList<ReportedMap, CylinderPatch>(

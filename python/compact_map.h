@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pcl/core/compact_map.h>
+#include "shown.h"
 
-#include <pybind11/pybind11.h>
+#include <pcl/core/compact_map.h>
 
 namespace pcl::acmap::python {
 
@@ -10,7 +10,7 @@ namespace pcl::acmap::python {
  * folder. */
 struct ReportedMap {
   CompactMap map;
-  pybind11::object report;
+  ReportOrNone report;
 };
 
 } // namespace pcl::acmap::python

@@ -4,6 +4,7 @@
 #include "mapping_report.h"
 #include "named_choice.h"
 #include "observation_argument.h"
+#include "path_argument.h"
 #include "poses.h"
 #include "setter_keyword.h"
 
@@ -33,7 +34,8 @@ struct MappingSettings {
   double min_area;   ///< square metres; 0: automatic
   bool regular;
   std::optional<bool> primitives;
-  double texel_size;  ///< metres
+  double texel_size; ///< metres
+  std::optional<std::array<double, 3>> up;
   std::string folder; ///< of poses; empty: none
   unsigned threads;
 };
@@ -123,6 +125,14 @@ configure(CompactMapping& mapping, const MappingSettings& settings)
              texturing,
              &CompactMapping::Texturing::setTexelSize,
              settings.texel_size);
+  if (settings.up) {
+    CompactMapping::Levelling levelling = mapping.getLevelling();
+    setKeyword("up",
+               levelling,
+               &CompactMapping::Levelling::setUpDirection,
+               Eigen::Vector3d(settings.up->data()));
+    mapping.setLevelling(levelling);
+  }
   mapping.setRectify(settings.rectify);
   mapping.setAdjust(settings.adjust);
   mapping.setMerging(merging);
@@ -171,6 +181,9 @@ primitives finds cylinders, too: columns, pipes and curved walls, which replace 
            that they describe in fewer bits; and boxes and recesses such as closed doors,
            whose sides and leaves stay planes; by default not with paper
 texel_size metres, the edge of a texel of the textures
+up         three numbers, the up direction in the frame of the poses; None: found by floors
+           and walls, see report.levelling. The map is turned level where it is rectified,
+           except with paper; CompactMap.up is its own up direction
 folder     keeps the poses that were found, so that a later run with the same observations
            goes on from them; empty: none
 threads    0: all; the result is the same bytes for every number)";
@@ -208,7 +221,8 @@ bindCompactMapping(py::module_& module)
                        bool regular,
                        std::optional<bool> primitives,
                        double texel_size,
-                       const std::string& folder,
+                       const std::optional<std::array<double, 3>>& up,
+                       const PathArgument& folder,
                        unsigned threads) {
              const MappingSettings settings = {paper,
                                                rectify,
@@ -219,7 +233,8 @@ bindCompactMapping(py::module_& module)
                                                regular,
                                                primitives,
                                                texel_size,
-                                               folder,
+                                               up,
+                                               pathOf("folder", folder),
                                                threads};
              requireSense(settings);
              CompactMapping checked;
@@ -236,6 +251,7 @@ bindCompactMapping(py::module_& module)
            "regular"_a = clustering.getRegularize(),
            "primitives"_a = py::none(),
            "texel_size"_a = defaults.getTexturing().getTexelSize(),
+           "up"_a = py::none(),
            "folder"_a = "",
            "threads"_a = defaults.getNumberOfThreads())
       .def("add_observation",
@@ -244,6 +260,11 @@ bindCompactMapping(py::module_& module)
            "points"_a,
            "colors"_a,
            "pose"_a = py::none())
+      .def("__repr__",
+           [](const MappingInput& input) {
+             return "acmap.CompactMapping(observations=" +
+                    std::to_string(input.observations.size()) + ")";
+           })
       .def("compute", &computeMap, about_computation, "progress"_a = py::none());
 }
 

@@ -1,6 +1,7 @@
 #include "bindings.h"
 #include "kernel_call.h"
 #include "reports.h"
+#include "results.h"
 #include "sensors.h"
 #include "setter_keyword.h"
 
@@ -14,9 +15,10 @@ using namespace py::literals;
 
 /** Result of consolidate: arrays that refer to one Consolidation. */
 struct Consolidated {
-  py::array points, normals, curvature, witness;
-  py::object representative_of;
-  py::object report;
+  py::array_t<float> points, normals, curvature;
+  py::array_t<std::int32_t> witness;
+  std::optional<py::array_t<std::int32_t>> representative_of;
+  ReportObject report;
 };
 
 Consolidated
@@ -32,7 +34,6 @@ arraysOf(Consolidation&& result, bool keep_sources, const ConsolidationReport& r
       all, 0, owner, [](const Representative& one) { return &one.curvature; });
   arrays.witness = fieldOf<std::int32_t>(
       all, 0, owner, [](const Representative& one) { return &one.witness; });
-  arrays.representative_of = py::none();
   if (keep_sources)
     arrays.representative_of = arrayOver(std::move(result.representative_of));
   arrays.report = reportOf(report);
@@ -73,27 +74,29 @@ progress      called with (fraction, step); stops the run when it returns False)
 void
 bindConsolidation(py::module_& module)
 {
-  py::class_<Consolidated>(module, "Consolidated", "What consolidate found: k points.")
-      .def_readonly("points", &Consolidated::points, "(k, 3) float32, metres")
-      .def_readonly("normals",
-                    &Consolidated::normals,
-                    "(k, 3) float32, unit, towards the sensor; NaN without a plane")
-      .def_readonly(
-          "curvature",
-          &Consolidated::curvature,
-          "(k,) float32, least variance over the sum of all three around a point")
-      .def_readonly("witness",
-                    &Consolidated::witness,
-                    "(k,) int32, the input point that was seen from nearest: use it to "
-                    "pick colours and views")
-      .def_readonly("representative_of",
-                    &Consolidated::representative_of,
-                    "(n,) int32, for each input point its point here, -1 without one; "
-                    "None unless asked for")
-      .def_readonly(
-          "report",
-          &Consolidated::report,
-          "counts, seconds and remarks, named as in pcl::ConsolidationReport");
+  bindResult<Consolidated>(
+      module,
+      "Consolidated",
+      "What consolidate found: k points.",
+      "points report",
+      field("points", &Consolidated::points, "(k, 3) float32, metres"),
+      field("normals",
+            &Consolidated::normals,
+            "(k, 3) float32, unit, towards the sensor; NaN without a plane"),
+      field("curvature",
+            &Consolidated::curvature,
+            "(k,) float32, least variance over the sum of all three around a point"),
+      field("witness",
+            &Consolidated::witness,
+            "(k,) int32, the input point that was seen from nearest: use it to "
+            "pick colours and views"),
+      field("representative_of",
+            &Consolidated::representative_of,
+            "(n,) int32, for each input point its point here, -1 without one; "
+            "None unless asked for"),
+      field("report",
+            &Consolidated::report,
+            "counts, seconds and remarks, named as in pcl::ConsolidationReport"));
   const ConsolidationSettings defaults;
   module.def(
       "consolidate",

@@ -1,5 +1,7 @@
 #include "bindings.h"
 #include "mesh_argument.h"
+#include "path_argument.h"
+#include "results.h"
 
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_file.h>
@@ -14,12 +16,16 @@ namespace {
 
 using namespace py::literals;
 
+struct ShownFields {
+  static constexpr auto name = py::detail::const_name("Dict[str, numpy.ndarray]");
+};
+
 /** Result of read_cloud: arrays that refer to a PointCloudFile. */
 struct Cloud {
-  py::array points;
-  py::dict fields;
-  py::array sensor_origin, sensor_orientation;
-  py::object up = py::none();
+  py::array_t<float> points;
+  ShownAs<ShownFields> fields;
+  py::array_t<float> sensor_origin, sensor_orientation;
+  std::optional<py::array_t<float>> up;
   std::vector<std::string> remarks;
 };
 
@@ -73,8 +79,9 @@ pointArray(const PCLPointCloud2& cloud,
 }
 
 Cloud
-readCloud(const std::string& path)
+readCloud(const PathArgument& argument)
 {
+  const std::string path = pathOf("path", argument);
   PointCloudFile read;
   {
     const py::gil_scoped_release others_may_run;
@@ -82,25 +89,26 @@ readCloud(const std::string& path)
   }
   const auto [file, owner] = owned(std::move(read));
   Cloud cloud;
+  py::dict fields;
   for (const PCLPointField& field : file.cloud.fields) {
     const char* const type = typeNameOf(field);
     if (field.name == "x")
-      cloud.points =
-          pointArray(file.cloud, field.offset, py::dtype::of<float>(), 3, owner);
+      cloud.points = py::reinterpret_borrow<py::array_t<float>>(
+          pointArray(file.cloud, field.offset, py::dtype::of<float>(), 3, owner));
     else if (type && field.name != "y" && field.name != "z")
-      cloud.fields[py::str(field.name)] =
+      fields[py::str(field.name)] =
           pointArray(file.cloud,
                      field.offset,
                      py::dtype(type),
                      field.count > 1 ? static_cast<py::ssize_t>(field.count) : 0,
                      owner);
   }
-  cloud.sensor_origin =
-      py::array(py::dtype::of<float>(), {3}, {}, file.sensor_origin.data(), owner);
-  cloud.sensor_orientation = py::array(
-      py::dtype::of<float>(), {4}, {}, file.sensor_orientation.coeffs().data(), owner);
+  cloud.fields = fields;
+  cloud.sensor_origin = py::array_t<float>({3}, file.sensor_origin.data(), owner);
+  cloud.sensor_orientation =
+      py::array_t<float>({4}, file.sensor_orientation.coeffs().data(), owner);
   if (file.up)
-    cloud.up = py::array(py::dtype::of<float>(), {3}, {}, file.up->data(), owner);
+    cloud.up = py::array_t<float>({3}, file.up->data(), owner);
   cloud.remarks = file.remarks;
   return cloud;
 }
@@ -145,11 +153,12 @@ cloudOfRows(const PointRows& points, const PointView* normals)
 }
 
 void
-writeMesh(const std::string& path,
+writeMesh(const PathArgument& argument,
           const PointArgument& points,
           const MeshArgument& triangles,
           const std::optional<PointArgument>& normals)
 {
+  const std::string path = pathOf("path", argument);
   const PointRows rows = pointRowsOf("points", points);
   const std::shared_ptr<const TriangleMesh> mesh = meshOf(triangles, rows.view.size());
   PointView sides;
@@ -164,25 +173,27 @@ writeMesh(const std::string& path,
 void
 bindCloud(py::module_& module)
 {
-  py::class_<Cloud>(module, "Cloud", "A point cloud as it came from a file.")
-      .def_readonly("points",
-                    &Cloud::points,
-                    "(n, 3) float32, or (h, w, 3) of an organized cloud, metres")
-      .def_readonly(
-          "fields",
-          &Cloud::fields,
-          "dict of the other fields by name, one value a point: 'view', 'rgb' "
-          "(packed), 'normal_x' ...")
-      .def_readonly("sensor_origin", &Cloud::sensor_origin, "(3,) float32, metres")
-      .def_readonly("sensor_orientation",
-                    &Cloud::sensor_orientation,
-                    "(4,) float32, quaternion x y z w")
-      .def_readonly("up",
-                    &Cloud::up,
-                    "(3,) float32, direction upwards if nothing else is known of the "
-                    "sensor (LAS); else None")
-      .def_readonly(
-          "remarks", &Cloud::remarks, "oddities that did not prevent reading");
+  bindResult<Cloud>(
+      module,
+      "Cloud",
+      "A point cloud as it came from a file.",
+      "points fields sensor_origin up remarks",
+      field("points",
+            &Cloud::points,
+            "(n, 3) float32, or (h, w, 3) of an organized cloud, metres"),
+      field("fields",
+            &Cloud::fields,
+            "dict of the other fields by name, one value a point: 'view', 'rgb' "
+            "(packed), 'normal_x' ..."),
+      field("sensor_origin", &Cloud::sensor_origin, "(3,) float32, metres"),
+      field("sensor_orientation",
+            &Cloud::sensor_orientation,
+            "(4,) float32, quaternion x y z w"),
+      field("up",
+            &Cloud::up,
+            "(3,) float32, direction upwards if nothing else is known of the "
+            "sensor (LAS); else None"),
+      field("remarks", &Cloud::remarks, "oddities that did not prevent reading"));
 }
 
 } // namespace
@@ -199,8 +210,8 @@ bindFiles(py::module_& module)
       "path"_a);
   module.def(
       "read_mesh",
-      [](const std::string& path) {
-        return pythonMesh(loadTriangleMesh(path), py::none());
+      [](const PathArgument& path) {
+        return pythonMesh(loadTriangleMesh(pathOf("path", path)), py::none());
       },
       "Reads the faces of a .ply or .obj, polygons as triangles. Returns a Mesh, whose "
       "corners are the points that read_cloud gives. Raises OSError.",

@@ -14,8 +14,13 @@ namespace pcl::acmap::python {
 
 namespace py = pybind11;
 
-/** \brief The `progress` argument of Python functions: called with (fraction, step). */
-using Listener = std::optional<py::function>;
+/** \brief A function that is called with (fraction, step). */
+class ProgressFunction : public py::function {
+  PYBIND11_OBJECT_DEFAULT(ProgressFunction, function, PyCallable_Check)
+};
+
+/** \brief The `progress` argument of Python functions. */
+using Listener = std::optional<ProgressFunction>;
 
 /** \brief Reports the progress of what runs without the GIL to Python, and checks for
  * signals such as Ctrl-C. */
@@ -69,3 +74,12 @@ callKernel(const Listener& listener, const Kernel& kernel)
 }
 
 } // namespace pcl::acmap::python
+
+namespace pybind11::detail {
+
+template <>
+struct handle_type_name<pcl::acmap::python::ProgressFunction> {
+  static constexpr auto name = const_name("Callable[[float, str], object]");
+};
+
+} // namespace pybind11::detail

@@ -9,7 +9,7 @@ namespace {
 
 /** The fields of the step that found the planes are among those of the report, whose
  * field `planes` is their number. */
-py::object
+ReportObject
 reportOfPlaneMapping(const PlaneMappingReport& report)
 {
   py::dict fields = fieldsOf(report);
@@ -25,7 +25,7 @@ reportOfPlaneMapping(const PlaneMappingReport& report)
 
 } // namespace
 
-py::object
+ReportObject
 reportOfMapping(const CompactMappingReport& report)
 {
   py::dict fields = fieldsOf(report);

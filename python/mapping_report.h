@@ -1,13 +1,13 @@
 #pragma once
 
-#include <pcl/pipeline/compact_mapping_types.h>
+#include "shown.h"
 
-#include <pybind11/pybind11.h>
+#include <pcl/pipeline/compact_mapping_types.h>
 
 namespace pcl::acmap::python {
 
-/** \brief Converts the report of a mapping to a Python object: a part for each step. */
-pybind11::object
+/** \brief Converts the report of a mapping to an acmap.Report: a part for each step. */
+ReportObject
 reportOfMapping(const CompactMappingReport& report);
 
 } // namespace pcl::acmap::python

@@ -1,14 +1,11 @@
 #pragma once
 
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
+#include "array_view.h"
 
 #include <utility>
 #include <vector>
 
 namespace pcl::acmap::python {
-
-namespace py = pybind11;
 
 /** \brief A property that returns an array of numbers inside a Python object and keeps it
  * alive. */
@@ -17,8 +14,7 @@ py::cpp_function
 memberArray(std::vector<py::ssize_t> shape, const Value* (*address)(const Owner&))
 {
   return [shape = std::move(shape), address](const py::object& self) {
-    return py::array(
-        py::dtype::of<Value>(), shape, {}, address(self.cast<const Owner&>()), self);
+    return py::array_t<Value>(shape, address(self.cast<const Owner&>()), self);
   };
 }
 
@@ -29,7 +25,7 @@ py::cpp_function
 memberList(const std::vector<Value>& (*values)(const Owner&))
 {
   return [values](const py::object& self) {
-    py::list list;
+    ListOf<Value> list;
     for (const Value& value : values(self.cast<const Owner&>()))
       list.append(py::cast(value, py::return_value_policy::reference_internal, self));
     return list;

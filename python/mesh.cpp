@@ -3,6 +3,7 @@
 #include "mesh_argument.h"
 #include "named_choice.h"
 #include "reports.h"
+#include "results.h"
 #include "sensors.h"
 #include "setter_keyword.h"
 
@@ -66,19 +67,23 @@ progress            called with (fraction, step); stops the run when it returns 
 void
 bindMesh(py::module_& module)
 {
-  py::class_<Mesh>(module, "Mesh", "A triangle mesh over points that stand beside it.")
-      .def_readonly("triangles",
-                    &Mesh::triangles,
-                    "(m, 3) int32, indices of points, counter-clockwise seen from the "
-                    "side the face looks to")
-      .def_readonly("wall_depth",
-                    &Mesh::wall_depth,
-                    "(m,) uint8, depth of the dividing wall that made a triangle, 255 "
-                    "for none; None unless asked for")
-      .def_readonly("report",
-                    &Mesh::report,
-                    "counts, seconds and remarks, named as in pcl::DeWallReport; None "
-                    "for a mesh from a file");
+  bindResult<Mesh>(
+      module,
+      "Mesh",
+      "A triangle mesh over points that stand beside it.",
+      "triangles report",
+      field("triangles",
+            &Mesh::triangles,
+            "(m, 3) int32, indices of points, counter-clockwise seen from the "
+            "side the face looks to"),
+      field("wall_depth",
+            &Mesh::wall_depth,
+            "(m,) uint8, depth of the dividing wall that made a triangle, 255 "
+            "for none; None unless asked for"),
+      field("report",
+            &Mesh::report,
+            "counts, seconds and remarks, named as in pcl::DeWallReport; None "
+            "for a mesh from a file"));
   const DeWallSettings defaults;
   module.def(
       "triangulate",

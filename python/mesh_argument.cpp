@@ -4,8 +4,27 @@
 
 namespace pcl::acmap::python {
 
+namespace {
+
+TriangleMesh::Triangles
+trianglesOf(const py::handle& argument)
+{
+  const std::string shape = "(m, 3)";
+  const py::array array =
+      arrayOf("triangles", argument, py::dtype::of<std::int32_t>(), {2}, shape);
+  if (array.shape(1) != 3)
+    refuseShape("triangles", array, shape);
+  TriangleMesh::Triangles triangles;
+  const auto at = array.unchecked<std::int32_t, 2>();
+  for (py::ssize_t t = 0; t < at.shape(0); ++t)
+    triangles.push_back({at(t, 0), at(t, 1), at(t, 2)});
+  return triangles;
+}
+
+} // namespace
+
 Mesh
-pythonMesh(TriangleMesh&& mesh, py::object report)
+pythonMesh(TriangleMesh&& mesh, ReportOrNone report)
 {
   Mesh result;
   result.mesh = std::make_shared<TriangleMesh>(std::move(mesh));
@@ -14,7 +33,6 @@ pythonMesh(TriangleMesh&& mesh, py::object report)
       result.mesh->triangles, 3, owner, [](const TriangleMesh::Triangle& triangle) {
         return triangle.data();
       });
-  result.wall_depth = py::none();
   if (!result.mesh->wall_depth.empty())
     result.wall_depth = fieldOf<std::uint8_t>(
         result.mesh->wall_depth, 0, owner, [](const std::uint8_t& depth) {
@@ -22,6 +40,21 @@ pythonMesh(TriangleMesh&& mesh, py::object report)
         });
   result.report = std::move(report);
   return result;
+}
+
+Mesh
+restored(const Mesh& read)
+{
+  TriangleMesh mesh;
+  mesh.triangles = trianglesOf(read.triangles);
+  if (read.wall_depth) {
+    const auto depth = read.wall_depth->unchecked<1>();
+    requireAsMany(
+        "wall_depth", static_cast<std::size_t>(depth.size()), mesh.triangles.size());
+    for (py::ssize_t t = 0; t < depth.size(); ++t)
+      mesh.wall_depth.push_back(depth(t));
+  }
+  return pythonMesh(std::move(mesh), read.report);
 }
 
 std::shared_ptr<const TriangleMesh>
@@ -32,16 +65,8 @@ meshOf(const MeshArgument& argument, std::size_t points)
     mesh = argument.cast<const Mesh&>().mesh;
   }
   else {
-    const std::string shape = "(m, 3)";
-    const py::array array =
-        arrayOf("triangles", argument, py::dtype::of<std::int32_t>(), {2}, shape);
-    const py::array_t<std::int32_t> corners(array);
-    if (corners.shape(1) != 3)
-      refuseShape("triangles", array, shape);
     mesh = std::make_shared<TriangleMesh>();
-    const auto at = corners.unchecked<2>();
-    for (py::ssize_t t = 0; t < at.shape(0); ++t)
-      mesh->triangles.push_back({at(t, 0), at(t, 1), at(t, 2)});
+    mesh->triangles = trianglesOf(argument);
   }
   requireCornersInside(mesh->triangles, points);
   return mesh;

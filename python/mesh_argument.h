@@ -5,15 +5,16 @@
 #include <pcl/core/triangle_mesh.h>
 
 #include <memory>
+#include <optional>
 
 namespace pcl::acmap::python {
 
 /** \brief Result of triangulate. Its arrays refer to the mesh. */
 struct Mesh {
   std::shared_ptr<TriangleMesh> mesh;
-  py::array triangles;
-  py::object wall_depth;
-  py::object report;
+  py::array_t<std::int32_t> triangles;
+  std::optional<py::array_t<std::uint8_t>> wall_depth;
+  ReportOrNone report;
 };
 
 struct ShownMesh {
@@ -22,11 +23,15 @@ struct ShownMesh {
 };
 
 /** \brief A Mesh, or an array; checked by \ref meshOf. */
-using MeshArgument = Argument<ShownMesh>;
+using MeshArgument = ShownAs<ShownMesh>;
 
 /** \brief Creates a Mesh with arrays that refer to it. */
 Mesh
-pythonMesh(TriangleMesh&& mesh, py::object report);
+pythonMesh(TriangleMesh&& mesh, ReportOrNone report);
+
+/** \brief Completes what was unpickled. \throws py::value_error if it does not fit */
+Mesh
+restored(const Mesh& read);
 
 /** \brief The triangles of an argument: those of a Mesh without a copy, those of an
  * array, (m, 3) int32, as a copy.

@@ -7,6 +7,7 @@ PYBIND11_MODULE(acmap, module)
                  "arrays. Metres, radians; camera frame x right, y down, z forward.";
   module.attr("__version__") = ACMAP_VERSION;
   bindErrors(module);
+  bindReport(module);
   bindConsolidation(module);
   bindMesh(module);
   bindNormals(module);
@@ -22,4 +23,6 @@ PYBIND11_MODULE(acmap, module)
   bindCompactMap(module);
   bindCompactMapping(module);
   bindFiles(module);
+  bindStates();
+  bindSignatures(module);
 }

@@ -3,6 +3,7 @@
 #include "mesh_argument.h"
 #include "normals_argument.h"
 #include "reports.h"
+#include "results.h"
 #include "sensors.h"
 #include "setter_keyword.h"
 
@@ -51,29 +52,32 @@ progress           called with (fraction, step); stops the run when it returns F
 void
 bindNormalsClass(py::module_& module)
 {
-  py::class_<Normals>(module, "Normals", "What vote_normals found at n vertices.")
-      .def_readonly("normals",
-                    &Normals::normals,
-                    "(n, 3) float32, unit; NaN where less than three triangles vote")
-      .def_readonly(
-          "directions", &Normals::directions, "(n, 3) float32, unit, along the crease")
-      .def_readonly("saliency",
-                    &Normals::saliency,
-                    "(n,) float32, 1 on a plane; 1 - saliency is PCL's curvature")
-      .def_readonly("vertex_class",
-                    &Normals::vertex_class,
-                    "(n,) uint8: 0 unknown, 1 surface, 2 crease, 3 corner")
-      .def_readonly("curvatures",
-                    &Normals::curvatures,
-                    "(n, 2) float32, 1/m, the larger by magnitude first; None unless "
-                    "asked for")
-      .def_readonly(
-          "curvature_directions",
-          &Normals::curvature_directions,
-          "(n, 3) float32, unit, of the first curvature; None unless asked for")
-      .def_readonly("report",
-                    &Normals::report,
-                    "counts, seconds and remarks, named as in pcl::VotingReport");
+  bindResult<Normals>(
+      module,
+      "Normals",
+      "What vote_normals found at n vertices.",
+      "normals curvatures report",
+      field("normals",
+            &Normals::normals,
+            "(n, 3) float32, unit; NaN where less than three triangles vote"),
+      field(
+          "directions", &Normals::directions, "(n, 3) float32, unit, along the crease"),
+      field("saliency",
+            &Normals::saliency,
+            "(n,) float32, 1 on a plane; 1 - saliency is PCL's curvature"),
+      field("vertex_class",
+            &Normals::vertex_class,
+            "(n,) uint8: 0 unknown, 1 surface, 2 crease, 3 corner"),
+      field("curvatures",
+            &Normals::curvatures,
+            "(n, 2) float32, 1/m, the larger by magnitude first; None unless "
+            "asked for"),
+      field("curvature_directions",
+            &Normals::curvature_directions,
+            "(n, 3) float32, unit, of the first curvature; None unless asked for"),
+      field("report",
+            &Normals::report,
+            "counts, seconds and remarks, named as in pcl::VotingReport"));
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 namespace pcl::acmap::python {
 
 Normals
-pythonNormals(VotedNormals&& votes, bool with_curvatures, py::object report)
+pythonNormals(VotedNormals&& votes, bool with_curvatures, ReportObject report)
 {
   Normals result;
   result.votes = std::make_shared<VotedNormals>(std::move(votes));
@@ -19,8 +19,6 @@ pythonNormals(VotedNormals&& votes, bool with_curvatures, py::object report)
       fieldOf<std::uint8_t>(all, 0, owner, [](const VotedNormal& one) {
         return reinterpret_cast<const std::uint8_t*>(&one.vertex_class);
       });
-  result.curvature_directions = py::none();
-  result.curvatures = py::none();
   if (with_curvatures) {
     const std::vector<VotedCurvature>& bends = result.votes->curvatures;
     result.curvature_directions =
@@ -33,6 +31,31 @@ pythonNormals(VotedNormals&& votes, bool with_curvatures, py::object report)
         bends, 2, owner, [](const VotedCurvature& one) { return &one.first; });
   }
   result.report = std::move(report);
+  return result;
+}
+
+Normals
+restored(const Normals& read)
+{
+  const PointView normals = pointRowsOf("normals", read.normals).view;
+  const PointView directions = pointRowsOf("directions", read.directions).view;
+  const auto saliency = read.saliency.unchecked<1>();
+  const auto vertex_class = read.vertex_class.unchecked<1>();
+  requireAsMany("directions", directions.size(), normals.size());
+  requireAsMany("saliency", static_cast<std::size_t>(saliency.size()), normals.size());
+  requireAsMany(
+      "vertex_class", static_cast<std::size_t>(vertex_class.size()), normals.size());
+  VotedNormals votes;
+  for (py::ssize_t i = 0; i < saliency.size(); ++i) {
+    VotedNormal& voted = votes.normals.emplace_back();
+    voted.normal = normals[static_cast<std::size_t>(i)];
+    voted.direction = directions[static_cast<std::size_t>(i)];
+    voted.saliency = saliency(i);
+    voted.vertex_class = static_cast<VertexClass>(vertex_class(i));
+  }
+  Normals result = pythonNormals(std::move(votes), false, read.report);
+  result.curvature_directions = read.curvature_directions;
+  result.curvatures = read.curvatures;
   return result;
 }
 

@@ -6,15 +6,17 @@
 #include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
 #include <memory>
+#include <optional>
 
 namespace pcl::acmap::python {
 
 /** \brief Result of vote_normals: arrays that refer to the votes. */
 struct Normals {
   std::shared_ptr<VotedNormals> votes;
-  py::array normals, directions, saliency, vertex_class;
-  py::object curvature_directions, curvatures;
-  py::object report;
+  py::array_t<float> normals, directions, saliency;
+  py::array_t<std::uint8_t> vertex_class;
+  std::optional<py::array_t<float>> curvature_directions, curvatures;
+  ReportObject report;
 };
 
 struct ShownNormals {
@@ -23,11 +25,15 @@ struct ShownNormals {
 };
 
 /** \brief Normals, or an array of them; checked by \ref setNormals. */
-using NormalsArgument = Argument<ShownNormals>;
+using NormalsArgument = ShownAs<ShownNormals>;
 
 /** \brief Creates Normals with arrays that refer to them. */
 Normals
-pythonNormals(VotedNormals&& votes, bool with_curvatures, py::object report);
+pythonNormals(VotedNormals&& votes, bool with_curvatures, ReportObject report);
+
+/** \brief Completes what was unpickled. \throws py::value_error if it does not fit */
+Normals
+restored(const Normals& read);
 
 /** \brief Sets the normals of hypotheses; those of vote_normals also set creases and
  * curvatures.

@@ -16,8 +16,8 @@ struct ShownColors {
   static constexpr auto name = py::detail::const_name("numpy.ndarray[uint8[h, w, 3]]");
 };
 
-using ViewArgument = Argument<ShownView>;
-using ColorArgument = Argument<ShownColors>;
+using ViewArgument = ShownAs<ShownView>;
+using ColorArgument = ShownAs<ShownColors>;
 
 /** \brief Copies the points and colours of an organized view; their arrays may have any
  * strides.

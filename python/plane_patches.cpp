@@ -12,7 +12,7 @@ namespace {
 
 /** A polygon loop as (k, 3); the array keeps the Python object alive that contains
  * it. */
-py::array
+py::array_t<float>
 rimArray(const std::vector<Eigen::Vector3f>& rim, const py::object& self)
 {
   return fieldOf<float>(
@@ -32,7 +32,7 @@ bindPolygon(py::module_& module)
       .def_property_readonly(
           "holes",
           [](const py::object& self) {
-            py::list holes;
+            ListOf<py::array_t<float>> holes;
             for (const auto& hole : self.cast<const PlanePolygon&>().holes)
               holes.append(rimArray(hole, self));
             return holes;

@@ -3,6 +3,7 @@
 #include "mesh_argument.h"
 #include "normals_argument.h"
 #include "reports.h"
+#include "results.h"
 #include "sensors.h"
 #include "setter_keyword.h"
 
@@ -16,10 +17,10 @@ using namespace py::literals;
 
 /** Result of find_planes. */
 struct Planes {
-  py::list patches;
-  py::array labels;
-  py::object source_labels;
-  py::object report;
+  ListOf<PlanePatch> patches;
+  py::array_t<std::int32_t> labels;
+  std::optional<py::array_t<std::int32_t>> source_labels;
+  ReportObject report;
 };
 
 /** The points from which the hypotheses were consolidated, and their sensors. */
@@ -54,7 +55,6 @@ findPlanes(const PointArgument& points,
   for (PlanePatch& patch : clusters.patches)
     planes.patches.append(py::cast(std::move(patch)));
   planes.labels = arrayOver(std::move(clusters.labels));
-  planes.source_labels = py::none();
   if (source.points)
     planes.source_labels = arrayOver(std::move(clusters.source_labels));
   planes.report = reportOf(report);
@@ -87,20 +87,24 @@ progress        called with (fraction, step); stops the run when it returns Fals
 void
 bindPlanesClass(py::module_& module)
 {
-  py::class_<Planes>(module, "Planes", "What find_planes found.")
-      .def_readonly("patches",
-                    &Planes::patches,
-                    "list of PlanePatch, by falling area, or as grown without a mesh")
-      .def_readonly("labels",
-                    &Planes::labels,
-                    "(n,) int32, for each point its patch, -1 for none")
-      .def_readonly("source_labels",
-                    &Planes::source_labels,
-                    "the same for each point of the source; None without one")
-      .def_readonly("report",
-                    &Planes::report,
-                    "counts, seconds and remarks, named as in "
-                    "pcl::PlaneClusteringReport");
+  bindResult<Planes>(
+      module,
+      "Planes",
+      "What find_planes found.",
+      "patches labels source_labels report",
+      field("patches",
+            &Planes::patches,
+            "list of PlanePatch, by falling area, or as grown without a mesh"),
+      field("labels",
+            &Planes::labels,
+            "(n,) int32, for each point its patch, -1 for none"),
+      field("source_labels",
+            &Planes::source_labels,
+            "the same for each point of the source; None without one"),
+      field("report",
+            &Planes::report,
+            "counts, seconds and remarks, named as in "
+            "pcl::PlaneClusteringReport"));
 }
 
 } // namespace

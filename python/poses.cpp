@@ -63,13 +63,12 @@ posesOf(const std::string& name, const py::handle& argument)
   return poses;
 }
 
-py::array
+py::array_t<double>
 arrayOfPoses(const Poses& poses, const py::handle& owner)
 {
   static_assert(sizeof(Eigen::Isometry3d) == 16 * sizeof(double));
   constexpr py::ssize_t size = sizeof(double);
-  return py::array(
-      py::dtype::of<double>(),
+  return py::array_t<double>(
       {static_cast<py::ssize_t>(poses.size()), py::ssize_t{4}, py::ssize_t{4}},
       {16 * size, size, 4 * size}, // column-major
       poses.empty() ? nullptr : poses.front().data(),

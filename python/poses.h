@@ -25,7 +25,7 @@ posesOf(const std::string& name, const py::handle& argument);
 
 /** \brief An array of (k, 4, 4) float64 that refers to poses.
  * \param[in] owner of the poses; the array keeps a reference to it */
-py::array
+py::array_t<double>
 arrayOfPoses(const Poses& poses, const py::handle& owner);
 
 } // namespace pcl::acmap::python

@@ -3,6 +3,7 @@
 #include "named_choice.h"
 #include "poses.h"
 #include "reports.h"
+#include "results.h"
 #include "setter_keyword.h"
 
 #include <pcl/core/impl/parallel.h>
@@ -24,8 +25,8 @@ constexpr NamedChoices<RectificationMode, 2> modes = {
 
 /** Result of rectify. */
 struct Rectified {
-  py::array poses;
-  py::object report;
+  py::array_t<double> poses;
+  ReportObject report;
 };
 
 /** An observation before its points are copied. */
@@ -183,15 +184,19 @@ progress          called with (fraction, step); stops the run when it returns Fa
 void
 bindRectification(py::module_& module)
 {
-  py::class_<Rectified>(module, "Rectified", "What rectify found.")
-      .def_readonly("poses",
-                    &Rectified::poses,
-                    "(k, 4, 4) float64, T_map_camera; as they came unless "
-                    "report.outcome is 'rectified'")
-      .def_readonly("report",
-                    &Rectified::report,
-                    "outcome, its reason, evidence, seconds and remarks, named as in "
-                    "pcl::EntropyRectificationReport");
+  bindResult<Rectified>(
+      module,
+      "Rectified",
+      "What rectify found.",
+      "poses report",
+      field("poses",
+            &Rectified::poses,
+            "(k, 4, 4) float64, T_map_camera; as they came unless "
+            "report.outcome is 'rectified'"),
+      field("report",
+            &Rectified::report,
+            "outcome, its reason, evidence, seconds and remarks, named as in "
+            "pcl::EntropyRectificationReport"));
   const RectificationSettings defaults;
   module.def(
       "rectify",

@@ -19,16 +19,16 @@ namespace pcl::acmap::python {
 
 namespace py = pybind11;
 
-/** \brief A Python object with these fields, which can be printed. */
-inline py::object
+/** \brief An acmap.Report with these fields. */
+inline ReportObject
 namespaceOf(const py::dict& fields)
 {
-  return py::module_::import("types").attr("SimpleNamespace")(**fields);
+  return py::module_::import("acmap").attr("Report")(**fields);
 }
 
-/** \brief Converts a report to a Python object with fields, which can be printed.
+/** \brief Converts a report to an acmap.Report.
  * \param[in] fields of the stage; `seconds` and `remarks` are added */
-inline py::object
+inline ReportObject
 reportOf(py::dict fields, const Report& report)
 {
   fields["seconds"] = report.seconds;
@@ -43,7 +43,7 @@ fieldsOf(const Struct& fields);
 /** \brief The same with all fields of the report, under the names that they have in
  * report.json. */
 template <typename StageReport>
-py::object
+ReportObject
 reportOf(const StageReport& report)
 {
   return reportOf(fieldsOf(report), report);

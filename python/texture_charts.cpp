@@ -10,7 +10,7 @@ namespace {
 
 /** Bytes of all texels as (h, w) or (h, w, channels); without any if the picture has no
  * colours. */
-py::array
+py::array_t<std::uint8_t>
 texelArray(const py::object& self,
            const std::uint8_t* first,
            const std::vector<py::ssize_t>& channels)
@@ -20,16 +20,16 @@ texelArray(const py::object& self,
   if (!image.values.empty())
     shape = {image.height, image.width};
   shape.insert(shape.end(), channels.begin(), channels.end());
-  return py::array(py::dtype::of<std::uint8_t>(), shape, {}, first, self);
+  return py::array_t<std::uint8_t>(shape, first, self);
 }
 
-py::array
+py::array_t<std::uint8_t>
 colorsOf(const py::object& self)
 {
   return texelArray(self, self.cast<const TexturePicture&>().colors.values.data(), {3});
 }
 
-py::array
+py::array_t<std::uint8_t>
 kindsOf(const py::object& self)
 {
   static_assert(sizeof(TexelKind) == sizeof(std::uint8_t));

@@ -428,6 +428,13 @@ class Observations(MapTest):
                     largest = 30 if name == "16 bits" else 1
                     self.assertLessEqual(off.max(), largest)
 
+    def test_the_up_direction_can_be_stated(self):
+        made = mapping_of_room(up=(0, -1, 0)).compute()
+        self.assertTrue(numpy.allclose(made.up, (0, -1, 0), atol=1e-6))
+        self.assertTrue(made.report.levelling.found)
+        with self.assertRaisesRegex(ValueError, "^up: "):
+            acmap.CompactMapping(up=(0, 0, 0))
+
     def test_a_refused_observation_is_not_added(self):
         mapping = acmap.CompactMapping()
         with self.assertRaises(ValueError):

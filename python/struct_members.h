@@ -1,0 +1,111 @@
+#pragma once
+
+#include "compact_map.h"
+
+#include <pcl/core/map_topology.h>
+
+#include <tuple>
+
+namespace pcl::acmap::python {
+
+/** \brief How many members a struct has: all, or \ref membersOf does not compile. */
+template <typename Struct>
+inline constexpr int member_count = 0;
+
+template <>
+inline constexpr int member_count<BoxFace> = 2;
+template <>
+inline constexpr int member_count<BoxPatch> = 8;
+template <>
+inline constexpr int member_count<CompactMap> = 13;
+template <>
+inline constexpr int member_count<CylinderPatch> = 16;
+template <>
+inline constexpr int member_count<MapEdge> = 4;
+template <>
+inline constexpr int member_count<MapFace> = 4;
+template <>
+inline constexpr int member_count<MapOpening> = 7;
+template <>
+inline constexpr int member_count<MapRoom> = 5;
+template <>
+inline constexpr int member_count<MapTopology> = 3;
+template <>
+inline constexpr int member_count<PlanePatch> = 11;
+template <>
+inline constexpr int member_count<PlanePolygon> = 3;
+template <>
+inline constexpr int member_count<PolygonEdge> = 2;
+template <>
+inline constexpr int member_count<RecessPatch> = 9;
+template <>
+inline constexpr int member_count<ReportedMap> = 2;
+template <>
+inline constexpr int member_count<RgbImage> = 3;
+template <>
+inline constexpr int member_count<Trajectory> = 2;
+
+/** \brief References to the members of a struct, in their order. */
+template <typename Struct>
+auto
+membersOf(Struct& value)
+{
+  constexpr int count = member_count<Struct>;
+  if constexpr (count == 2) {
+    auto& [a, b] = value;
+    return std::tie(a, b);
+  }
+  else if constexpr (count == 3) {
+    auto& [a, b, c] = value;
+    return std::tie(a, b, c);
+  }
+  else if constexpr (count == 4) {
+    auto& [a, b, c, d] = value;
+    return std::tie(a, b, c, d);
+  }
+  else if constexpr (count == 5) {
+    auto& [a, b, c, d, e] = value;
+    return std::tie(a, b, c, d, e);
+  }
+  else if constexpr (count == 7) {
+    auto& [a, b, c, d, e, f, g] = value;
+    return std::tie(a, b, c, d, e, f, g);
+  }
+  else if constexpr (count == 8) {
+    auto& [a, b, c, d, e, f, g, h] = value;
+    return std::tie(a, b, c, d, e, f, g, h);
+  }
+  else if constexpr (count == 9) {
+    auto& [a, b, c, d, e, f, g, h, i] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i);
+  }
+  else if constexpr (count == 11) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k);
+  }
+  else if constexpr (count == 13) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
+  }
+  else {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
+  }
+}
+
+/** \brief Those that Python has; the others are places in files, which saving sets. */
+inline auto
+membersOf(TexturePicture& picture)
+{
+  return std::tie(picture.colors, picture.kinds);
+}
+
+inline auto
+membersOf(TextureChart& chart)
+{
+  return std::tuple_cat(
+      membersOf(static_cast<TexturePicture&>(chart)),
+      std::tie(chart.plane, chart.polygon, chart.origin, chart.texel_u, chart.texel_v));
+}
+
+} // namespace pcl::acmap::python
