@@ -91,7 +91,7 @@ requireAsMany(const std::string& name, std::size_t number, std::size_t points);
 /** \brief Moves a value into a Python capsule, which can be the owner of arrays. */
 template <typename Value>
 std::pair<Value&, py::capsule>
-owned(Value&& value)
+owned(Value value)
 {
   auto* const moved = new Value(std::move(value));
   return {*moved, py::capsule(moved, [](void* pointer) {

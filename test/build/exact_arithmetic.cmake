@@ -13,7 +13,7 @@ function(find_inexact file result)
   set(${result} "${found}" PARENT_SCOPE)
 endfunction()
 
-file(GLOB files "${FROM}/modules/*/lib*.so" "${FROM}/bin/pcl_*" "${FROM}/python/*.so")
+file(GLOB files "${FROM}/modules/*/lib*.so" "${FROM}/bin/pcl_*" "${FROM}/python/acmap/*.so")
 list(LENGTH files count)
 if(count LESS 20)
   message(FATAL_ERROR "only ${count} programs and libraries in ${FROM}")
