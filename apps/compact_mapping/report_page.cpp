@@ -27,16 +27,20 @@ constexpr const char* unknown = "–";
 
 const Json nothing;
 
-/** \param[in] path of a field in objects, such as "truth/compactness"
+/** \param[in] path of a field in objects and lists, such as "truth/compactness"
  * \return null if there is no such field */
 const Json&
 fieldOf(const Json& json, std::string_view path)
 {
   const std::size_t slash = path.find('/');
-  const auto found = json.find(std::string(path.substr(0, slash)));
-  if (found == json.end())
-    return nothing;
-  return slash == path.npos ? *found : fieldOf(*found, path.substr(slash + 1));
+  const std::string name(path.substr(0, slash));
+  const Json* field = &nothing;
+  if (json.is_object() && json.contains(name))
+    field = &json.at(name);
+  else if (json.is_array() && name.size() == 1 && name[0] >= '0' &&
+           static_cast<std::size_t>(name[0] - '0') < json.size())
+    field = &json[static_cast<std::size_t>(name[0] - '0')];
+  return slash == path.npos ? *field : fieldOf(*field, path.substr(slash + 1));
 }
 
 /** A field that is a list, otherwise null. */
@@ -296,10 +300,9 @@ equationOf(const Json& plane)
       "\u00A0x +\u00A0", "\u00A0y +\u00A0", "\u00A0z +\u00A0", "\u00A0=\u00A00"};
   // resolution: 0.006 degrees for the normal, 0.1 mm for the offset
   constexpr int digits = 4;
-  const Json& coefficients = listOf(plane, "coefficients");
   std::string text;
   for (std::size_t i = 0; i < factors.size(); ++i) {
-    const auto value = numberIn(i < coefficients.size() ? coefficients[i] : nothing);
+    const auto value = numberIn(fieldOf(plane, "coefficients/" + std::to_string(i)));
     if (!value)
       return unknown;
     text += fixedText(*value, digits) + factors[i];
