@@ -1,9 +1,11 @@
 #include "noise/point_sample.h"
 
 #include <pcl/core/impl/depth_view.h>
+#include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/impl/quantile.h>
+#include <pcl/core/impl/surface_noise.h>
 #include <pcl/core/impl/voxel_moments.h>
 #include <pcl/core/impl/voxel_windows.h>
 #include <pcl/core/noise_scale.h>
@@ -565,6 +567,56 @@ measureInSpace(const PointView& points, const SensorView& sensors, unsigned thre
   return scale;
 }
 
+/** A great noise of few planes may be that of a building, whose storeys look like thick
+ * planes from afar: where places that are asked alone contradict it, they decide. Smaller
+ * ones may be waves, as stereo has them, which are wider than the places' windows. */
+void
+verify(const PointView& points, unsigned threads, NoiseScale& scale)
+{
+  constexpr double sure = 0.65, contradiction = 3;
+  constexpr double of_extent = 0.02, of_sensors = 0.2; // metres: great noises
+  if (scale.inverse_depth || (scale.spacing > 0 && scale.confidence >= sure))
+    return;
+  if (scale.spacing > 0 && scale.sigma < of_sensors &&
+      scale.sigma < of_extent * cloudExtent(points).diagonal())
+    return;
+  const SurfaceNoise alone = measureSurfaceNoise(points, threads);
+  const bool does_agree =
+      scale.spacing > 0 && scale.sigma <= contradiction * alone.high;
+  if (alone.is_determined ? does_agree : scale.sigma == 0)
+    return;
+  scale = {};
+  scale.sigma = alone.sigma;
+  scale.spacing = scale.sparse_spacing = alone.spacing;
+  scale.confidence =
+      alone.is_determined
+          ? static_cast<double>(alone.members) /
+                static_cast<double>(std::max<std::size_t>(alone.places, 1))
+          : 0;
+  scale.is_determined = alone.is_determined;
+  if (!alone.is_determined)
+    scale.remarks.push_back(
+        "the noise is not determined, and nothing is consolidated: " + alone.reason +
+        "; a voxel size can be stated");
+}
+
+/** The points but those at the origin, if these are so many that they would look like a
+ * surface; otherwise nothing. */
+std::vector<Eigen::Vector3f>
+withoutZeros(const PointView& points)
+{
+  constexpr std::size_t few = 1000; // one of so many
+  std::size_t zeros = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    zeros += points[i].isZero(0);
+  std::vector<Eigen::Vector3f> kept;
+  if (zeros * few > points.size())
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!points[i].isZero(0))
+        kept.push_back(points[i]);
+  return kept;
+}
+
 } // namespace
 
 NoiseScale
@@ -573,10 +625,15 @@ measureNoiseScale(const PointView& points,
                   unsigned threads,
                   std::size_t width)
 {
+  const std::vector<Eigen::Vector3f> kept = withoutZeros(points);
+  if (!kept.empty())
+    return measureNoiseScale(
+        PointView(kept.data(), sizeof(Eigen::Vector3f), kept.size()), {}, threads);
   return withThreads(threads, [&] {
     NoiseScale scale = measureInSpace(points, sensors, threads);
     if (scale.spacing > 0)
       applyDepthSteps(points, width, scale);
+    verify(points, threads, scale);
     return scale;
   });
 }

@@ -254,7 +254,7 @@ private:
           measureNoiseScale(requirePoints(rows_),
                             sensorsOf(rows_, sensors, sensorOf(file_)),
                             mapping_.getNumberOfThreads());
-      if (report_.noise_scale->inverse_depth)
+      if (report_.noise_scale->inverse_depth || !report_.noise_scale->is_determined)
         report_.remarks.push_back(report_.noise_scale->remarks.front());
       finish("noise scale");
       if (!needsConsolidation(*report_.noise_scale))

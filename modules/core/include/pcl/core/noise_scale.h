@@ -65,6 +65,10 @@ struct NoiseScale {
   /** \brief Set if the cloud is one view whose depth is quantised. */
   std::optional<InverseDepth> inverse_depth;
 
+  /** \brief false if the surface shows too little to tell noise from shape; sigma is then
+   * 0, and nothing should follow from it. */
+  bool is_determined = true;
+
   /** \brief Reasons why there is no result or an uncertain one. */
   std::vector<std::string> remarks;
 
@@ -84,6 +88,7 @@ visitFields(const NoiseScale& scale, Visitor&& visit)
   visit({"spacing", "m"}, scale.spacing);
   visit({"sparse_spacing", "m"}, scale.sparse_spacing);
   visit({"confidence"}, scale.confidence);
+  visit({"is_determined"}, scale.is_determined);
   visit({"ranges"}, scale.ranges);
   visit({"inverse_depth"}, scale.inverse_depth);
   visit({"remarks"}, scale.remarks);
@@ -124,6 +129,13 @@ namespace acmap {
  * For points in the frame of their sensor with quantised depth (measureDepthStep)
  * the noise follows from the quantisation step: sigma and the ranges are then z^2 times
  * the noise of inverse depth.
+ *
+ * A sigma above 0.2 m or 2 % of the extent, of which less than two thirds of the windows are
+ * sure, is verified by
+ * \ref measureSurfaceNoise, which does not take the storeys of a building for thick planes:
+ * its result is taken if it contradicts by more than a factor of three, and if it is not
+ * determined, neither is this one. Where many points are (0, 0, 0), as invalid ones of some
+ * programs are, these are left out, and there are no ranges.
  * \param[in] points metres
  * \param[in] sensors sensor positions; without them no ranges are computed
  * \param[in] threads 0 for all; the result is the same
