@@ -23,7 +23,34 @@ function(acmap_install_module name)
           DESTINATION ${ACMAP_INSTALL_CMAKEDIR} COMPONENT dev)
   install(DIRECTORY include/ DESTINATION ${ACMAP_INSTALL_INCLUDEDIR} COMPONENT dev
           FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
+  acmap_install_pkgconfig_file(${name})
   acmap_join(product acmap_${name})
+endfunction()
+
+# acmap_<name>.pc, for pkg-config, beside PCL's; it has no path of its own, so that it is right
+# under any prefix. Reads arg_DEPENDS, arg_PCL and arg_PUBLIC_LIBRARIES of acmap_add_module.
+function(acmap_install_pkgconfig_file name)
+  set(suffix)
+  if(PCL_VERSION VERSION_LESS 1.13)
+    set(suffix -${PCL_VERSION_MAJOR}.${PCL_VERSION_MINOR})
+  endif()
+  set(name_of_Eigen3::Eigen eigen3)
+  set(name_of_TBB::tbb tbb)
+  set(name_of_MPI::MPI_CXX mpi-cxx)
+  list(TRANSFORM arg_DEPENDS PREPEND acmap_ OUTPUT_VARIABLE requirements)
+  foreach(part IN LISTS arg_PCL)
+    list(APPEND requirements pcl_${part}${suffix})
+  endforeach()
+  foreach(library IN LISTS arg_PUBLIC_LIBRARIES)
+    list(APPEND requirements ${name_of_${library}})
+  endforeach()
+  list(JOIN requirements " " requirements)
+  file(RELATIVE_PATH includes "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig"
+       "${CMAKE_INSTALL_PREFIX}/${ACMAP_INSTALL_INCLUDEDIR}")
+  configure_file("${PROJECT_SOURCE_DIR}/cmake/acmap_module.pc.in"
+                 "${PROJECT_BINARY_DIR}/pkgconfig/acmap_${name}.pc" @ONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/pkgconfig/acmap_${name}.pc"
+          DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
 endfunction()
 
 # The package files of all modules declared so far, and the generated headers.

@@ -28,7 +28,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME libacmap-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEV_DESCRIPTION "compact maps of noisy point clouds: headers
-What find_package (acmap) of CMake finds.")
+What find_package (acmap) of CMake and pkg-config find.")
 
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME acmap-tools)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)

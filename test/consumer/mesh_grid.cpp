@@ -1,5 +1,6 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/filters/voxel_consolidation.h>
 #include <pcl/point_types.h>
 #include <pcl/surface/dewall_triangulation.h>
 
@@ -30,6 +31,17 @@ catchesMissingFile()
   return false;
 }
 
+/** \brief Points that the library allocates are freed here. */
+bool
+consolidates()
+{
+  pcl::VoxelConsolidation<pcl::PointXYZ> consolidation;
+  consolidation.setInputCloud(makeGrid(50));
+  pcl::PointCloud<pcl::PointXYZ> consolidated;
+  consolidation.filter(consolidated);
+  return !consolidated.empty();
+}
+
 } // namespace
 
 int
@@ -44,5 +56,6 @@ main()
   dewall.reconstruct(mesh);
 
   std::cout << mesh.polygons.size() << " triangles, " << expected << " expected\n";
-  return mesh.polygons.size() == expected && catchesMissingFile() ? 0 : 1;
+  const bool is_right = mesh.polygons.size() == expected;
+  return is_right && catchesMissingFile() && consolidates() ? 0 : 1;
 }
