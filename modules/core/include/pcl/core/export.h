@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/core/build_config.h>
+
 /** \brief Exports a symbol of the libraries; all other symbols are hidden.
  *
  * For class templates it is also needed at the explicit instantiation: the template

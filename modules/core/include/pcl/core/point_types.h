@@ -1,10 +1,15 @@
 #pragma once
 
+#include <pcl/core/build_config.h>
 #include <pcl/impl/pcl_base.hpp> // PCL is not instantiated for the types below
 #include <pcl/point_types.h>
 #include <pcl/register_point_struct.h>
 
 #include <cstdint>
+
+// PCL's macros and its way to write a point type use extensions of C++.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpedantic"
 
 namespace pcl {
 
@@ -64,6 +69,8 @@ struct EIGEN_ALIGN16 PointXYZRGBSigma {
 };
 
 } // namespace pcl
+
+#pragma GCC diagnostic pop
 
 // clang-format off
 POINT_CLOUD_REGISTER_POINT_STRUCT(
