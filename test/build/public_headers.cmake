@@ -4,6 +4,7 @@
 cmake_minimum_required(VERSION 3.25)
 file(GLOB include "${PREFIX}/include/acmap-*")
 file(GLOB_RECURSE headers RELATIVE "${include}" "${include}/*.h" "${include}/*.hpp")
+list(REMOVE_ITEM SYSTEM /usr/include) # GCC finds the C library there by itself only
 list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n" OUTPUT_VARIABLE lines)
 list(JOIN lines "" source)
 file(WRITE "${OUTPUT}/all_headers.cpp" "${source}")
