@@ -9,6 +9,7 @@
 #include <pcl/console/print.h>
 #include <pcl/core/build_config.h>
 #include <pcl/core/file_format.h>
+#include <pcl/core/impl/arguments.h>
 
 #include <CLI/CLI.hpp>
 
@@ -151,8 +152,6 @@ constexpr const char* exit_code_text =
     "found,\n5 output could not be written, 6 not enough memory, 130 interrupted.\n"
     "Long options may also be spelt with one dash and underscores.";
 
-constexpr int max_threads = 1024;
-
 std::string
 summaryLine(const std::string& name, const std::string& value)
 {
@@ -196,7 +195,7 @@ Tool::addThreads()
   app_->add_option(
           "--threads", threads_, "Threads; 0 = all cores; the result is the same")
       ->type_name("N")
-      ->check(CLI::Range(0, max_threads).description(""));
+      ->check(CLI::Range(0, int{max_threads}).description(""));
 }
 
 void

@@ -6,8 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,61 +14,22 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Offset of a coordinate within a point. */
-std::size_t
-offsetOf(const PCLPointCloud2& cloud, const std::string& name)
-{
-  const PCLPointField* const field = findField(cloud, name);
-  if (!field)
-    throw acmap::BadArgument("a cloud has no field " + name);
-  // A count of 0 means 1, as in old files.
-  if (field->datatype != PCLPointField::FLOAT32 || field->count > 1)
-    throw acmap::BadArgument("the field " + name +
-                             " is refused: it must be one 32 bit float");
-  if (field->offset + sizeof(float) > cloud.point_step)
-    throw acmap::BadArgument("the field " + name +
-                             " is refused: it must lie inside of a point");
-  return field->offset;
-}
-
-void
-requireData(const PCLPointCloud2& cloud)
-{
-  const std::size_t row = static_cast<std::size_t>(cloud.width) * cloud.point_step;
-  if (cloud.height > 0 && cloud.row_step < row)
-    throw acmap::BadArgument("the row step " + std::to_string(cloud.row_step) +
-                             " is refused: it must hold a row, " + std::to_string(row) +
-                             " bytes");
-  const std::size_t needed = static_cast<std::size_t>(cloud.height) * cloud.row_step;
-  if (cloud.data.size() < needed)
-    throw acmap::BadArgument("a cloud of " + std::to_string(cloud.data.size()) +
-                             " bytes is refused: it must have " +
-                             std::to_string(needed));
-}
-
 /** \brief The points of a cloud of unknown type, from its fields x, y and z.
- * \throws BadArgumentException without a cloud, if a field is missing or not a single
- * float, or if the data are shorter than the header declares */
+ * \throws BadArgumentException as \ref requirePoints */
 std::vector<Eigen::Vector3f>
 placesOf(const PCLPointCloud2::ConstPtr& cloud)
 {
-  if (!cloud)
-    throw acmap::BadArgument("a cloud is missing");
-  const std::array<std::size_t, 3> offsets{
-      offsetOf(*cloud, "x"), offsetOf(*cloud, "y"), offsetOf(*cloud, "z")};
-  requireData(*cloud);
-  std::vector<Eigen::Vector3f> places;
-  places.reserve(static_cast<std::size_t>(cloud->width) * cloud->height);
-  for (std::size_t row = 0; row < cloud->height; ++row)
-    for (std::size_t column = 0; column < cloud->width; ++column) {
-      const std::uint8_t* const point =
-          cloud->data.data() + row * cloud->row_step + column * cloud->point_step;
-      Eigen::Vector3f place;
-      for (int axis = 0; axis < 3; ++axis)
-        std::memcpy(&place[axis], point + offsets[axis], sizeof(float));
-      places.push_back(place);
-    }
-  return places;
+  try {
+    const PointView points = requirePoints(CloudRows(cloud));
+    std::vector<Eigen::Vector3f> places;
+    places.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      places.push_back(points[i]);
+    return places;
+  }
+  catch (const InitFailedException& fault) {
+    throw BadArgument(fault.what());
+  }
 }
 
 } // namespace
@@ -84,13 +43,9 @@ namespace {
 using Places = std::vector<Eigen::Vector3f>;
 
 const Eigen::Vector3f&
-placeAt(const Places& places, index_t index, const char* name)
+placeAt(const Places& places, index_t index)
 {
-  if (index < 0 || static_cast<std::size_t>(index) >= places.size())
-    acmap::refuseArgument(std::string("index into the ") + name,
-                          static_cast<double>(index),
-                          "within a cloud of " + std::to_string(places.size()) +
-                              " points");
+  acmap::requireIndex<acmap::BadArgument>(index, places.size());
   return places[static_cast<std::size_t>(index)];
 }
 
@@ -177,8 +132,8 @@ CorrespondenceRejectorWorstOut::getRemainingCorrespondences(
   acmap::StepTimer timer(report);
   Places source, target;
   for (const Correspondence& match : original_correspondences) {
-    source.push_back(placeAt(*source_, match.index_query, "source"));
-    target.push_back(placeAt(*target_, match.index_match, "target"));
+    source.push_back(placeAt(*source_, match.index_query));
+    target.push_back(placeAt(*target_, match.index_match));
   }
   const acmap::WorstOutOutcome outcome =
       acmap::leaveWorstOut(source, target, settings_);

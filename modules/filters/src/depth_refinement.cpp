@@ -2,6 +2,7 @@
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/compiled_point_types.h>
 #include <pcl/core/impl/depth_view.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/filters/impl/depth_refinement.hpp>
 #include <pcl/filters/impl/depth_refinement_kernel.h>
 
@@ -70,8 +71,7 @@ DepthRefinement<PCLPointCloud2>::DepthRefinement()
 void
 DepthRefinement<PCLPointCloud2>::setInputCloud(const PCLPointCloud2ConstPtr& cloud)
 {
-  if (!cloud)
-    throw acmap::InitFailed("the input cloud is a null pointer");
+  acmap::requireGiven(cloud);
   Filter<PCLPointCloud2>::setInputCloud(cloud);
 }
 
@@ -95,8 +95,7 @@ DepthRefinement<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
   acmap::requirePoints(input_, wanted);
   const std::size_t rows = acmap::rowsOf(*input_);
   if (rows > 0 && input_->height < 2)
-    throw acmap::Unorganized(
-        "the cloud is not organized: give a view as rows of pixels");
+    acmap::refuseUnorganized();
   if (!planes_.labels.empty() && planes_.labels.size() != rows)
     throw acmap::InitFailed("the planes have ",
                             planes_.labels.size(),

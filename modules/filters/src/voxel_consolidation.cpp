@@ -2,6 +2,7 @@
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/compiled_point_types.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/filters/impl/consolidation_kernel.h>
 #include <pcl/filters/impl/voxel_consolidation.hpp>
@@ -94,8 +95,7 @@ VoxelConsolidation<PCLPointCloud2>::VoxelConsolidation()
 void
 VoxelConsolidation<PCLPointCloud2>::setInputCloud(const PCLPointCloud2ConstPtr& cloud)
 {
-  if (!cloud)
-    throw acmap::InitFailed("the input cloud is a null pointer");
+  acmap::requireGiven(cloud);
   Filter<PCLPointCloud2>::setInputCloud(cloud);
   rows_ = CloudRows();
 }

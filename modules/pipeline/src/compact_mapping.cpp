@@ -4,6 +4,7 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/core/trinocular_grabber.h>
 #include <pcl/pipeline/compact_mapping.h>
 #include <pcl/pipeline/ranked_work.h>
@@ -154,12 +155,11 @@ void
 CompactMapping::add(std::shared_ptr<const PointCloudFile> cloud,
                     const std::optional<acmap::RigidMotion>& T_map_camera)
 {
-  if (!cloud)
-    throw acmap::BadArgument("an observation needs a cloud");
+  acmap::requireGiven<acmap::BadArgument>(cloud);
   acmap::requirePoints(CloudRows::of(cloud->cloud)); // else a thread would find out
   poses_.emplace_back();
   if (T_map_camera)
-    poses_.back() = T_map_camera->get();
+    poses_.back() = acmap::requirePlace(*T_map_camera).get();
   if (stream_)
     stream_->add(std::move(cloud), poses_.back());
   else
@@ -227,7 +227,7 @@ CompactMapping::collected()
   const auto posed = static_cast<std::size_t>(std::count_if(
       poses_.begin(), poses_.end(), [](const auto& pose) { return pose.has_value(); }));
   if (poses_.empty())
-    throw acmap::InitFailed("there is no observation");
+    throw acmap::InitFailed("no observation was added");
   if (posed != 0 && posed != poses_.size())
     throw acmap::InitFailed(posed,
                             " of ",

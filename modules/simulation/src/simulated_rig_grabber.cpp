@@ -151,7 +151,7 @@ SimulatedRigGrabber::getNumberOfObservations() const
 void
 SimulatedRigGrabber::setNumberOfThreads(unsigned threads)
 {
-  stream_->set(&acmap::SequenceSettings::threads, threads);
+  stream_->set(&acmap::SequenceSettings::threads, acmap::requiredThreads(threads));
 }
 
 unsigned

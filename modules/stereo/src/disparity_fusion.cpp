@@ -185,7 +185,7 @@ DisparityFusion::getLeastGain() const
 void
 DisparityFusion::setNumberOfThreads(unsigned threads)
 {
-  state_->threads = threads;
+  state_->threads = acmap::requiredThreads(threads);
   state_->matching.setNumberOfThreads(threads);
 }
 

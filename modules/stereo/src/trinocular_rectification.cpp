@@ -72,7 +72,7 @@ TrinocularRectification::setNearestDepth(double depth)
 void
 TrinocularRectification::setNumberOfThreads(unsigned threads)
 {
-  threads_ = threads;
+  threads_ = acmap::requiredThreads(threads);
 }
 
 const TrinocularRectification::State&

@@ -49,7 +49,7 @@ struct Ending {
 Ending
 endingOf(const BadCase& bad);
 
-/** \brief A refusal without its numbers, names of parameters and units. */
+/** \brief A refusal without its numbers, names of inputs and parameters, and units. */
 std::string
 sentenceOf(const std::string& refusal);
 

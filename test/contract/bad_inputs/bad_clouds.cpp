@@ -88,7 +88,7 @@ cloudChanges()
       {"half of NaN in x", Answer::Told, every(2, nan, 0, 1)},
       {"of infinities", Answer::Told, every(1, infinity, infinity, infinity)},
       {"half of infinities", Answer::Told, every(2, 0, 0, -infinity)},
-      {"with one NaN", Answer::Told, every(100000, nan, nan, nan)},
+      {"with some NaN", Answer::Told, every(10, nan, nan, nan)},
       {"NaN that claims to be dense",
        Answer::Told,
        [](Cloud& cloud) {
@@ -334,34 +334,40 @@ goodPlane()
   return plane;
 }
 
+namespace {
+
+/** Three planes, of which the second one is changed. */
+std::function<std::vector<PlanePatch>()>
+with(const std::function<void(PlanePatch&)>& change)
+{
+  return [=] {
+    std::vector<PlanePatch> planes(3, goodPlane());
+    change(planes[1]);
+    return planes;
+  };
+}
+
+} // namespace
+
 Kinds<std::vector<PlanePatch>>
 badPlanes()
 {
   using Planes = std::vector<PlanePatch>;
-  const auto with = [](const std::function<void(PlanePatch&)>& change) {
-    return [=] {
-      Planes planes(3, goodPlane());
-      change(planes[1]);
-      return planes;
-    };
-  };
   using Patch = PlanePatch;
   return {
-      {"none", Answer::Told, [] { return Planes(); }},
+      {"none", Answer::Any, [] { return Planes(); }},
       {"as they are", Answer::Any, with([](Patch&) {})},
       {"of NaN", Answer::Told, with([](Patch& p) { p.coefficients[0] = nan; })},
       {"without normal", Answer::Told, with([](Patch& p) {
          p.coefficients.setZero();
        })},
-      {"of length 2", Answer::Told, with([](Patch& p) { p.coefficients *= 2; })},
+      {"of length 2", Answer::Any, with([](Patch& p) { p.coefficients *= 2; })},
       {"at infinity", Answer::Told, with([](Patch& p) {
          p.coefficients[3] = infinity;
        })},
-      {"with a centre of NaN", Answer::Told, with([](Patch& p) { p.center[0] = nan; })},
-      {"with an axis of zero", Answer::Told, with([](Patch& p) {
-         p.axis_u.setZero();
-       })},
-      {"with axes of NaN", Answer::Told, with([](Patch& p) {
+      {"with a centre of NaN", Answer::Any, with([](Patch& p) { p.center[0] = nan; })},
+      {"with an axis of zero", Answer::Any, with([](Patch& p) { p.axis_u.setZero(); })},
+      {"with axes of NaN", Answer::Any, with([](Patch& p) {
          p.axis_v.setConstant(nan);
        })},
       {"with covariance of NaN", Answer::Any, with([](Patch& p) {
@@ -369,35 +375,41 @@ badPlanes()
        })},
       {"with negative covariance", Answer::Any, with([](Patch& p) {
          p.covariance *= -1;
-       })},
-      {"without polygons", Answer::Any, with([](Patch& p) { p.polygons.clear(); })},
-      {"with a polygon without points", Answer::Any, with([](Patch& p) {
-         p.polygons[0].outer.clear();
-       })},
-      {"with a polygon of two points", Answer::Any, with([](Patch& p) {
-         p.polygons[0].outer.resize(2);
-       })},
-      {"with a point of NaN", Answer::Told, with([](Patch& p) {
-         p.polygons[0].outer[0].setConstant(nan);
-       })},
-      {"with a point at 1e30 m", Answer::Any, with([](Patch& p) {
-         p.polygons[0].outer[0].setConstant(1e30F);
-       })},
-      {"with a crossed polygon", Answer::Any, with([](Patch& p) {
-         std::swap(p.polygons[0].outer[0], p.polygons[0].outer[1]);
-       })},
-      {"with a hole of one point", Answer::Any, with([](Patch& p) {
-         p.polygons[0].holes = {{{0, 0, 2}}};
-       })},
-      {"with edges missing", Answer::Any, with([](Patch& p) {
-         p.polygons[0].edges.resize(1);
-       })},
-      {"with a neighbour outside", Answer::Any, with([](Patch& p) {
-         p.polygons[0].edges.resize(4, {EdgeKind::Crease, 99});
-       })},
-      {"with a neighbour far outside", Answer::Any, with([](Patch& p) {
-         p.polygons[0].edges.resize(4, {EdgeKind::Arc, -7});
        })}};
+}
+
+Kinds<std::vector<PlanePatch>>
+badPolygons()
+{
+  using Patch = PlanePatch;
+  return {{"without polygons", Answer::Any, with([](Patch& p) { p.polygons.clear(); })},
+          {"with a polygon without points", Answer::Any, with([](Patch& p) {
+             p.polygons[0].outer.clear();
+           })},
+          {"with a polygon of two points", Answer::Any, with([](Patch& p) {
+             p.polygons[0].outer.resize(2);
+           })},
+          {"with a point of NaN", Answer::Told, with([](Patch& p) {
+             p.polygons[0].outer[0].setConstant(nan);
+           })},
+          {"with a point at 1e30 m", Answer::Any, with([](Patch& p) {
+             p.polygons[0].outer[0].setConstant(1e30F);
+           })},
+          {"with a crossed polygon", Answer::Any, with([](Patch& p) {
+             std::swap(p.polygons[0].outer[0], p.polygons[0].outer[1]);
+           })},
+          {"with a hole of one point", Answer::Any, with([](Patch& p) {
+             p.polygons[0].holes = {{{0, 0, 2}}};
+           })},
+          {"with edges missing", Answer::Any, with([](Patch& p) {
+             p.polygons[0].edges.resize(1);
+           })},
+          {"with a neighbour outside", Answer::Any, with([](Patch& p) {
+             p.polygons[0].edges.resize(4, {EdgeKind::Crease, 99});
+           })},
+          {"with a neighbour far outside", Answer::Any, with([](Patch& p) {
+             p.polygons[0].edges.resize(4, {EdgeKind::Arc, -7});
+           })}};
 }
 
 } // namespace pcl::acmap::test

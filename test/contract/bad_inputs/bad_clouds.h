@@ -26,6 +26,17 @@ goodRoom();
 const Kinds<Cloud::Ptr>&
 badClouds();
 
+/** \brief The same kinds, for an input that need not be set. */
+template <typename Value>
+Kinds<Value>
+orNone(Kinds<Value> kinds)
+{
+  for (Kind<Value>& kind : kinds)
+    if (kind.name == "null pointer")
+      kind.answer = Answer::Any;
+  return kinds;
+}
+
 /** \brief Kinds of indices of a cloud of so many points. */
 Kinds<IndicesPtr>
 badIndices(std::size_t points);
@@ -42,8 +53,11 @@ badMeshes(std::size_t points);
 Kinds<std::vector<Eigen::Vector3f>>
 badViewpoints();
 
+/** \brief Kinds of equations and frames of planes, and of their polygons. */
 Kinds<std::vector<PlanePatch>>
 badPlanes();
+Kinds<std::vector<PlanePatch>>
+badPolygons();
 
 /** \brief A square wall of 1 m. */
 PlanePatch
@@ -77,6 +91,10 @@ as(const Cloud::ConstPtr& cloud)
 /** \brief The cloud with fields of coordinates, colour, normal and view. */
 PCLPointCloud2::Ptr
 asRows(const Cloud::ConstPtr& cloud);
+
+/** \brief Kinds of bytes and fields, of a cloud whose coordinates need not be used. */
+const Kinds<PCLPointCloud2::Ptr>&
+badLayouts();
 
 /** \brief Kinds of clouds of any fields, those of \ref badClouds included. */
 const Kinds<PCLPointCloud2::Ptr>&

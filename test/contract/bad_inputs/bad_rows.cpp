@@ -60,8 +60,9 @@ observedBy(std::int32_t view)
   };
 }
 
+/** What contradicts the bytes. */
 std::vector<NamedRowChange>
-rowChanges()
+layoutChanges()
 {
   using Field = PCLPointField;
   constexpr std::uint32_t most = std::numeric_limits<std::uint32_t>::max();
@@ -76,25 +77,40 @@ rowChanges()
       {"of shorter rows", Answer::Refused, [](Rows& r) { r.row_step -= 4; }},
       {"of longer rows", Answer::Refused, [](Rows& r) { r.row_step += 16; }},
       {"of the longest rows", Answer::Refused, [](Rows& r) { r.row_step = most; }},
+      {"with colour outside", Answer::Refused, placed("rgb", 48)},
+      {"with a normal outside", Answer::Refused, placed("normal_x", most - 1)},
+      {"with a view outside", Answer::Refused, placed("view", 4000)},
+      {"with a normal of float64", Answer::Any, typed("normal_y", Field::FLOAT64)},
+      {"with colour of count 2^31",
+       Answer::Refused,
+       typed("rgb", Field::FLOAT32, 1U << 31U)},
+      {"with curvature of count 0", Answer::Any, typed("curvature", Field::FLOAT32, 0)},
+      {"of big-endian bytes", Answer::Refused, [](Rows& r) { r.is_bigendian = 1; }},
+      {"seen by view 3", Answer::Any, observedBy(3)},
+      {"seen by view -7", Answer::Any, observedBy(-7)},
+      {"seen by view 2^31 - 1",
+       Answer::Any,
+       observedBy(std::numeric_limits<std::int32_t>::max())}};
+}
+
+/** What coordinates need. */
+std::vector<NamedRowChange>
+coordinateChanges()
+{
+  using Field = PCLPointField;
+  constexpr std::uint32_t most = std::numeric_limits<std::uint32_t>::max();
+  return {
       {"with overlapping fields", Answer::Refused, placed("y", 0)},
       {"with y apart", Answer::Refused, placed("y", 12)},
       {"with x at the end", Answer::Refused, placed("x", 48)},
       {"with x far outside", Answer::Refused, placed("x", most - 3)},
       {"with z outside", Answer::Refused, placed("z", most)},
-      {"with colour outside", Answer::Refused, placed("rgb", 48)},
-      {"with a normal outside", Answer::Refused, placed("normal_x", most - 1)},
-      {"with a view outside", Answer::Refused, placed("view", 4000)},
       {"with x of float64", Answer::Refused, typed("x", Field::FLOAT64)},
       {"with x of uint8", Answer::Refused, typed("x", Field::UINT8)},
       {"with x of no type", Answer::Refused, typed("x", 99)},
       {"with x of type 0", Answer::Refused, typed("x", 0)},
       {"with x of count 0", Answer::Refused, typed("x", Field::FLOAT32, 0)},
       {"with x of count 2^31", Answer::Refused, typed("x", Field::FLOAT32, 1U << 31U)},
-      {"with a normal of float64", Answer::Any, typed("normal_y", Field::FLOAT64)},
-      {"with colour of count 2^31",
-       Answer::Refused,
-       typed("rgb", Field::FLOAT32, 1U << 31U)},
-      {"with curvature of count 0", Answer::Any, typed("curvature", Field::FLOAT32, 0)},
       {"without x", Answer::Refused, renamed("x", "a")},
       {"without y and z",
        Answer::Refused,
@@ -104,13 +120,7 @@ rowChanges()
        }},
       {"with two fields x", Answer::Any, renamed("curvature", "x")},
       {"with a field without name", Answer::Any, renamed("curvature", "")},
-      {"without fields", Answer::Refused, [](Rows& r) { r.fields.clear(); }},
-      {"of big-endian bytes", Answer::Refused, [](Rows& r) { r.is_bigendian = 1; }},
-      {"seen by view 3", Answer::Any, observedBy(3)},
-      {"seen by view -7", Answer::Any, observedBy(-7)},
-      {"seen by view 2^31 - 1",
-       Answer::Any,
-       observedBy(std::numeric_limits<std::int32_t>::max())}};
+      {"without fields", Answer::Refused, [](Rows& r) { r.fields.clear(); }}};
 }
 
 } // namespace
@@ -133,19 +143,39 @@ asRows(const Cloud::ConstPtr& cloud)
   return rows;
 }
 
+namespace {
+
+Kinds<Rows::Ptr>
+changedRows(const std::vector<NamedRowChange>& changes)
+{
+  Kinds<Rows::Ptr> kinds;
+  for (const NamedRowChange& change : changes)
+    kinds.push_back({"rows " + change.name, change.answer, [=] {
+                       const Rows::Ptr rows = asRows(goodView().makeShared());
+                       change.change(*rows);
+                       return rows;
+                     }});
+  return kinds;
+}
+
+} // namespace
+
+const Kinds<Rows::Ptr>&
+badLayouts()
+{
+  static const Kinds<Rows::Ptr> kinds = changedRows(layoutChanges());
+  return kinds;
+}
+
 const Kinds<Rows::Ptr>&
 badRows()
 {
   static const Kinds<Rows::Ptr> kinds = [] {
-    Kinds<Rows::Ptr> made;
+    Kinds<Rows::Ptr> made = badLayouts();
     for (const Kind<Cloud::Ptr>& kind : badClouds())
       made.push_back({kind.name, kind.answer, [=] { return asRows(kind.make()); }});
-    for (const NamedRowChange& change : rowChanges())
-      made.push_back({"rows " + change.name, change.answer, [=] {
-                        const Rows::Ptr rows = asRows(goodView().makeShared());
-                        change.change(*rows);
-                        return rows;
-                      }});
+    const Kinds<Rows::Ptr> others = changedRows(coordinateChanges());
+    made.insert(made.end(), others.begin(), others.end());
     return made;
   }();
   return kinds;

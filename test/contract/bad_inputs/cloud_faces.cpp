@@ -143,7 +143,7 @@ addPlanes(std::vector<BadCase>& cases)
       .give("mesh", badMeshes(goodView().size()), setMesh<Class>)
       .give(
           "source",
-          badClouds(),
+          orNone(badClouds()),
           [](Class& object, const Cloud::Ptr& cloud) { object.setSourceCloud(cloud); })
       .number("tolerance", &PlaneClusteringParameters::setClusterTolerance)
       .number("angle", &PlaneClusteringParameters::setSmoothnessThreshold)
@@ -214,6 +214,7 @@ addFitting(std::vector<BadCase>& cases, const std::string& name)
         return given(found.empty(), object.getReport());
       });
   face.give("planes", badPlanes(), set)
+      .give("planes", badPolygons(), set)
       .common([](Class& object, unsigned n) { object.setNumberOfThreads(n); })
       .addTo(cases);
 }

@@ -23,7 +23,9 @@ rowFace(
     const typename Face<Class>::Run& run,
     const typename Face<Class>::Change& good = [](Class&) {})
 {
-  const auto set = [](Class& object, const RowsPtr& rows) { object.setInputCloud(rows); };
+  const auto set = [](Class& object, const RowsPtr& rows) {
+    object.setInputCloud(rows);
+  };
   Face<Class> face(
       name + "<PCLPointCloud2>",
       [=](Class& object) {
@@ -67,10 +69,12 @@ addClustering(std::vector<BadCase>& cases,
       run,
       [](Class& object) { object.setInputNormals(asRows(goodView().makeShared())); })
       .give("normals",
-            badRows(),
-            [](Class& object, const RowsPtr& normals) { object.setInputNormals(normals); })
+            badLayouts(),
+            [](Class& object, const RowsPtr& normals) {
+              object.setInputNormals(normals);
+            })
       .give("source",
-            badRows(),
+            orNone(badRows()),
             [](Class& object, const RowsPtr& source) {
               object.setSourceCloud(CloudRows(source));
             })

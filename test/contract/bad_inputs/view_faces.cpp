@@ -70,7 +70,8 @@ addLogPolar(std::vector<BadCase>& cases)
         object.determineCorrespondences(matches);
         const auto& report = object.getReport();
         return Given{matches.empty(),
-                     !report.remarks.empty() || report.source_keypoints < 62};
+                     !report.remarks.empty() || report.source_keypoints < 62 ||
+                         report.target_keypoints < 62};
       });
   face.give("cloud", badClouds(), set)
       .give("target",
@@ -144,7 +145,10 @@ addRevisits(std::vector<BadCase>& cases)
       },
       [](Class& object) {
         object.compute();
-        return given(object.getRevisits().empty(), object.getReport());
+        const RevisitReport& report = object.getReport();
+        return Given{false,
+                     report.points < 2 * goodView().size() ||
+                         given(false, report).is_told};
       });
   face.give("cloud", badClouds(), set)
       .number("separation", &Class::setMinimumSeparation)
@@ -240,7 +244,7 @@ addEstimation(std::vector<BadCase>& cases)
           run.source.reset(new Cloud);
         run.estimation.estimateRigidTransformation(
             *run.source, goodView(), run.matches, motion);
-        return Given{!motion.allFinite(), false};
+        return Given{!motion.allFinite(), true}; // it has no report
       });
   face.give("matches",
             matches,

@@ -123,18 +123,30 @@ findTriple(const PCLPointCloud2& cloud, const std::array<const char*, 3>& names)
   return fields[0];
 }
 
-/** \throws InitFailedException if a field is outside of its point, or if there are fewer
- * bytes than points */
+constexpr bool is_native_big = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
+
+/** \throws InitFailedException if a field is outside of its point, there are fewer or more
+ * bytes than points, rows have other bytes than their points, or values another order of
+ * bytes */
 void
 requireBytes(const CloudRows& rows)
 {
   const PCLPointCloud2& cloud = rows.layout();
   for (const PCLPointField& field : cloud.fields)
-    if (std::size_t{field.offset} + getFieldSize(field.datatype) > cloud.point_step)
+    if (std::size_t{field.offset} +
+            std::size_t{std::max(field.count, 1U)} * getFieldSize(field.datatype) >
+        cloud.point_step)
       throw acmap::InitFailed("field ", field.name, " is outside of its point");
-  if (rows.bytes() / std::max<std::size_t>(cloud.point_step, 1) < rows.size())
+  requireShape(cloud.width,
+               cloud.height,
+               rows.bytes() / std::max<std::size_t>(cloud.point_step, 1));
+  const std::size_t row = std::size_t{cloud.width} * cloud.point_step;
+  if (cloud.height > 1 && cloud.row_step != 0 && cloud.row_step != row)
     throw acmap::InitFailed(
-        "the cloud has fewer bytes than its ", rows.size(), " points");
+        "the rows of the cloud have ", cloud.row_step, " bytes, their points ", row);
+  if (rows.size() > 0 && (cloud.is_bigendian != 0) != is_native_big)
+    throw acmap::InitFailed("the values of the cloud have their bytes in another order "
+                            "than those of this machine");
 }
 
 } // namespace
@@ -142,8 +154,7 @@ requireBytes(const CloudRows& rows)
 PointView
 requirePoints(const CloudRows& rows, const Indices* indices)
 {
-  if (!rows)
-    throw acmap::InitFailed("no input cloud was set");
+  requireGiven(rows);
   const PCLPointCloud2& cloud = rows.layout();
   const PCLPointField* const x = findTriple(cloud, {"x", "y", "z"});
   if (!x)

@@ -3,7 +3,10 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/byte_parcel.h>
+#include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/core/rigid_motion.h>
 #include <pcl/pipeline/fingerprint.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_sequence.h>
@@ -60,6 +63,27 @@ cacheOfFiles(double scale)
   return cache;
 }
 
+/** A reader checks its files, but nobody what a program gives. */
+void
+requireObservation(const std::string& name,
+                   const std::shared_ptr<const PointCloudFile>& file)
+{
+  try {
+    acmap::requireGiven(file);
+    acmap::requirePoints(CloudRows::of(file->cloud));
+  }
+  catch (const InitFailedException& fault) {
+    throw acmap::BadArgument(name, ": ", fault.what());
+  }
+}
+
+void
+requirePoses(const Trajectory& trajectory)
+{
+  for (const Eigen::Isometry3d& pose : trajectory.poses)
+    acmap::requirePlace(pose);
+}
+
 } // namespace
 
 ObservationSequence::ObservationSequence(const std::string& folder, double scale)
@@ -101,17 +125,17 @@ ObservationSequence::ObservationSequence(
 , cache_(std::make_shared<acmap::ObservationCache>())
 {
   if (clouds.empty())
-    throw acmap::BadArgument("a sequence of no clouds");
+    throw acmap::BadArgument("no observation was added");
   if (hasTrajectory() && trajectory_.poses.size() != clouds.size())
     throw acmap::BadArgument("there are ",
                              trajectory_.poses.size(),
                              " poses for ",
                              clouds.size(),
                              " clouds");
+  requirePoses(trajectory_);
   for (std::size_t i = 0; i < clouds.size(); ++i) {
-    if (!clouds[i])
-      throw acmap::BadArgument("cloud ", i, " is missing");
     paths_.push_back(acmap::observationName(i));
+    requireObservation(paths_.back(), clouds[i]);
     cache_->hold(paths_.back(), std::move(clouds[i]));
     rows_.push_back(i);
   }
@@ -156,7 +180,10 @@ ObservationSequence::ObservationSequence(
   }
   cache_ = std::make_shared<acmap::ObservationCache>(
       [recorded, numbers](const std::string& name) {
-        return std::make_shared<const PointCloudFile>(recorded->load(numbers.at(name)));
+        const auto file =
+            std::make_shared<const PointCloudFile>(recorded->load(numbers.at(name)));
+        requireObservation(name, file);
+        return file;
       });
 }
 
@@ -170,6 +197,7 @@ ObservationSequence::withPoses(const std::vector<std::size_t>& places,
                              " poses for ",
                              places.size(),
                              " observations");
+  requirePoses(trajectory);
   ObservationSequence posed = *this;
   posed.paths_.clear();
   std::size_t next = 0;

@@ -1,5 +1,6 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/filters/depth_refinement.h>
 #include <pcl/pipeline/picture.h>
 
@@ -95,8 +96,7 @@ refineQuantisedDepth(const std::shared_ptr<const PointCloudFile>& observation,
                      DepthSensor sensor,
                      unsigned threads)
 {
-  if (!observation)
-    throw acmap::BadArgument("the observation is a null pointer");
+  acmap::requireGiven<acmap::BadArgument>(observation);
   std::shared_ptr<PointCloudFile> refined; // copied only if there is something to move
   std::size_t position = 0;
   const auto move = [&](std::size_t i, const PointXYZ& point) {

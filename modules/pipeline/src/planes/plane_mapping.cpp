@@ -475,8 +475,7 @@ PlaneMapping::PlaneMapping()
 void
 PlaneMapping::setInputCloud(std::shared_ptr<const PointCloudFile> cloud)
 {
-  if (!cloud)
-    throw acmap::InitFailed("the input cloud is a null pointer");
+  acmap::requireGiven(cloud);
   rows_ = sharedCloud(cloud);
   input_ = std::move(cloud);
 }

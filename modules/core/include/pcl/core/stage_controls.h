@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/progress.h>
 
 #include <utility>
@@ -17,7 +18,7 @@ public:
   void
   setNumberOfThreads(unsigned int threads = 0)
   {
-    threads_ = threads;
+    threads_ = acmap::requiredThreads(threads);
   }
 
   unsigned int

@@ -2,6 +2,7 @@
 
 #include <pcl/core/build_config.h>
 #include <pcl/core/fields.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/report.h>
 #include <pcl/egomotion/impl/log_polar_kernel.h>
@@ -144,7 +145,7 @@ public:
   void
   setNumberOfThreads(unsigned threads = 0)
   {
-    settings_.threads = threads;
+    settings_.threads = acmap::requiredThreads(threads);
   }
 
   unsigned
@@ -158,6 +159,14 @@ public:
   getScores() const
   {
     return scores_;
+  }
+
+  /** \brief Sets the target, also to none, which PCL's setter would read. */
+  void
+  setInputTarget(const typename Base::PointCloudTargetConstPtr& cloud)
+  {
+    target_ = cloud;
+    this->target_cloud_updated_ = true;
   }
 
   const LogPolarReport&

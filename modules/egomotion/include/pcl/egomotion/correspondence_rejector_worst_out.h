@@ -4,6 +4,7 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
 #include <pcl/core/fields.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/core/report.h>
 #include <pcl/egomotion/impl/worst_out_kernel.h>
 #include <pcl/memory.h>
@@ -198,8 +199,7 @@ private:
   static Places
   placesOf(const typename PointCloud<PointT>::ConstPtr& cloud)
   {
-    if (!cloud)
-      throw acmap::BadArgument("a cloud is missing");
+    acmap::requireCloud<acmap::BadArgument>(cloud);
     Places places;
     places.reserve(cloud->size());
     for (const PointT& point : *cloud)

@@ -3,6 +3,7 @@
 #include <pcl/core/build_config.h>
 #include <pcl/core/export.h>
 #include <pcl/core/fields.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/report.h>
 #include <pcl/egomotion/impl/keypoint_kernel.h>
@@ -94,7 +95,7 @@ public:
   void
   setNumberOfThreads(unsigned threads = 0)
   {
-    settings_.threads = threads;
+    settings_.threads = acmap::requiredThreads(threads);
   }
 
   unsigned

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/progress.h>
 #include <pcl/correspondence.h>
 #include <pcl/egomotion/egomotion_types.h>
@@ -209,7 +210,7 @@ public:
   void
   setNumberOfThreads(unsigned threads = 0)
   {
-    settings_.threads = threads;
+    settings_.threads = acmap::requiredThreads(threads);
   }
 
   unsigned

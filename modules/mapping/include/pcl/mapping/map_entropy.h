@@ -160,6 +160,9 @@ private:
   acmap::PosedPoints
   viewOf(std::size_t number) const;
 
+  void
+  tellEmpty(MapEntropyReport& report) const;
+
   acmap::MapEntropySettings settings_;
   std::vector<acmap::EntropyCells> cells_; ///< cache; of the first observations
   std::optional<acmap::MapEntropyEvaluator> evaluator_; ///< cache; of all observations

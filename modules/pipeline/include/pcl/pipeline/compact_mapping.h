@@ -545,7 +545,7 @@ CompactMapping::fileOf(const std::shared_ptr<const PointCloud<PointT>>& cloud)
 {
   if (!cloud)
     return nullptr;
-  acmap::requireInput<PointT>(cloud, nullptr); // PCL's conversion only asserts it
+  acmap::requireCloud(cloud); // PCL's conversion only asserts it
   const auto file = std::make_shared<PointCloudFile>();
   toPCLPointCloud2(*cloud, file->cloud);
   file->sensor_origin = cloud->sensor_origin_.template head<3>();

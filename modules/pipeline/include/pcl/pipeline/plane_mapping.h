@@ -5,6 +5,7 @@
 #include <pcl/conversions.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/stage_controls.h>
 #include <pcl/features/normal_vector_voting.h>
@@ -364,8 +365,7 @@ template <typename PointT>
 void
 PlaneMapping::setInputCloud(const std::shared_ptr<const PointCloud<PointT>>& cloud)
 {
-  if (!cloud)
-    throw acmap::InitFailed("the input cloud is a null pointer");
+  acmap::requireCloud(cloud);
   const auto file = std::make_shared<PointCloudFile>();
   toPCLPointCloud2(*cloud, file->cloud);
   file->sensor_origin = cloud->sensor_origin_.template head<3>();

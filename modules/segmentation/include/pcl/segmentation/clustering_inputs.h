@@ -5,6 +5,7 @@
 #include <pcl/core/export.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/point_fields.h>
 #include <pcl/core/scratch_memory.h>
 #include <pcl/core/sensor_view.h>
@@ -127,6 +128,8 @@ ClusteringInputs::setSourceCloud(
     const std::vector<Eigen::Vector3f>& viewpoints)
 {
   acmap::requireViewpoints(viewpoints);
+  if (cloud)
+    acmap::requireCloud<acmap::BadArgument>(cloud);
   source_ = cloud;
   const bool is_empty = !cloud || cloud->empty();
   source_points_ = is_empty ? acmap::PointView() : acmap::pointsOf(*cloud);

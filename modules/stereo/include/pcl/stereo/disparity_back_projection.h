@@ -2,6 +2,7 @@
 
 #include <pcl/core/export.h>
 #include <pcl/core/fields.h>
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/report.h>
 #include <pcl/core/trinocular_frame.h>
@@ -89,7 +90,7 @@ public:
   void
   setNumberOfThreads(unsigned threads)
   {
-    threads_ = threads;
+    threads_ = acmap::requiredThreads(threads);
   }
 
   unsigned

@@ -37,6 +37,20 @@ requireInRange(const std::string& name,
   refuseArgument(name, value, legal.str());
 }
 
+/** \brief The most threads of a class or a tool. */
+inline constexpr unsigned max_threads = 1024;
+
+/** \brief Checks a number of threads, 0 for all.
+ * \return the same
+ * \throws pcl::BadArgumentException above \ref max_threads, as for a negative number that
+ * was converted */
+inline unsigned
+requiredThreads(unsigned threads)
+{
+  requireInRange("number of threads", threads, 0, max_threads, "(0 = all)");
+  return threads;
+}
+
 /** \brief Checks that all sensor positions, in metres, are finite and within 1e9 m.
  * \throws pcl::BadArgumentException otherwise */
 inline void

@@ -86,7 +86,8 @@ resizeRows(PCLPointCloud2& cloud, std::size_t rows);
 /** \brief View of the coordinates of a cloud, valid as long as the cloud is unchanged.
  * \param[in] indices of rows, nullptr for all of them
  * \throws InitFailedException if there is no cloud, if it has no float32 fields x, y, z
- * side by side or fewer bytes than it states, or if an index is outside of it */
+ * side by side, other bytes than it states or in another order than those of this machine,
+ * or if an index is outside of it */
 ACMAP_EXPORT PointView
 requirePoints(const CloudRows& cloud, const Indices* indices = nullptr);
 

@@ -13,23 +13,16 @@
 namespace pcl::acmap {
 
 /** \brief Checks that a cloud is an image, or empty.
- * \throws InitFailedException without a cloud, or for an index outside of it
- * \throws UnorganizedPointCloudException unless the cloud is organized and has as many
- * points as pixels in its header */
+ * \throws InitFailedException without a cloud, if it has not as many points as its header
+ * claims, or for an index outside of it
+ * \throws UnorganizedPointCloudException unless the cloud is organized */
 template <typename PointT>
 void
 requireImage(const typename PointCloud<PointT>::ConstPtr& cloud, const Indices* indices)
 {
   requireInput<PointT>(cloud, indices);
-  const std::size_t pixels = std::size_t{cloud->width} * cloud->height;
-  if (pixels != cloud->size() || (!cloud->empty() && !cloud->isOrganized()))
-    throw acmap::Unorganized("a cloud of ",
-                             cloud->size(),
-                             " points, ",
-                             cloud->width,
-                             " x ",
-                             cloud->height,
-                             ", is no image: it must be organized");
+  if (!cloud->empty() && !cloud->isOrganized())
+    refuseUnorganized();
 }
 
 /** \brief One value per pixel, not 0 if the pixel is among the indices and finite. */

@@ -2,10 +2,10 @@
 
 #include <pcl/core/export.h>
 #include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/egomotion/transformation_estimation_planar.h>
 
 #include <limits>
-#include <sstream>
 
 namespace pcl {
 namespace acmap {
@@ -14,6 +14,7 @@ template <typename PointT>
 std::vector<Eigen::Vector3d>
 placesOf(const PointCloud<PointT>& cloud)
 {
+  requireShape<BadArgument>(cloud.width, cloud.height, cloud.size());
   std::vector<Eigen::Vector3d> places;
   places.reserve(cloud.size());
   for (const PointT& point : cloud)
@@ -25,14 +26,11 @@ template <typename PointT>
 std::vector<Eigen::Vector3d>
 placesOf(const PointCloud<PointT>& cloud, const Indices& indices)
 {
+  requireShape<BadArgument>(cloud.width, cloud.height, cloud.size());
   std::vector<Eigen::Vector3d> places;
   places.reserve(indices.size());
   for (const index_t index : indices) {
-    if (index < 0 || static_cast<std::size_t>(index) >= cloud.size()) {
-      std::ostringstream legal;
-      legal << "within a cloud of " << cloud.size() << " points";
-      refuseArgument("index", static_cast<double>(index), legal.str());
-    }
+    requireIndex<BadArgument>(index, cloud.size());
     const PointT& point = cloud[static_cast<std::size_t>(index)];
     places.emplace_back(point.x, point.y, point.z);
   }

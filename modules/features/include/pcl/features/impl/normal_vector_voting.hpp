@@ -49,6 +49,8 @@ NormalVectorVoting<PointInT>::computeFeature(PointCloudOut& output)
                          acmap::Progress(progress_),
                          report);
 
+  if (indices_->empty() && !input_->empty())
+    report.remarks.push_back("no normals: the indices that were set are none");
   PointCloud<Label> classes;
   PointCloud<PrincipalCurvatures> curvatures;
   output.is_dense = true;

@@ -21,8 +21,7 @@ template <typename PointT>
 void
 DepthRefinement<PointT>::setInputCloud(const PointCloudConstPtr& cloud)
 {
-  if (!cloud)
-    throw acmap::InitFailed("the input cloud is a null pointer");
+  acmap::requireGiven(cloud);
   Filter<PointT>::setInputCloud(cloud);
 }
 
@@ -51,8 +50,7 @@ DepthRefinement<PointT>::applyFilter(PointCloud& output)
   // here, since a call by a pointer to Filter comes by no other function of this class
   acmap::requireInput<PointT>(input_, this->fake_indices_ ? nullptr : indices_.get());
   if (!input_->empty() && !input_->isOrganized())
-    throw acmap::Unorganized(
-        "the cloud is not organized: give a view as rows of pixels");
+    acmap::refuseUnorganized();
   if (!planes_.labels.empty() && planes_.labels.size() != input_->size())
     throw acmap::InitFailed("the planes have ",
                             planes_.labels.size(),

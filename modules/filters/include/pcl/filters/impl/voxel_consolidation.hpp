@@ -19,8 +19,7 @@ template <typename PointT>
 void
 VoxelConsolidation<PointT>::setInputCloud(const PointCloudConstPtr& cloud)
 {
-  if (!cloud)
-    throw acmap::InitFailed("the input cloud is a null pointer");
+  acmap::requireGiven(cloud);
   Filter<PointT>::setInputCloud(cloud);
 }
 

@@ -86,6 +86,15 @@ MapEntropy<PointT>::viewOf(std::size_t number) const
 
 template <typename PointT>
 void
+MapEntropy<PointT>::tellEmpty(MapEntropyReport& report) const
+{
+  for (std::size_t i = 0; i < this->loaders_.size(); ++i)
+    if (this->loaders_[i]()->empty())
+      report.remarks.push_back("observation " + std::to_string(i) + " has no points");
+}
+
+template <typename PointT>
+void
 MapEntropy<PointT>::makeCells(const acmap::Progress& progress)
 {
   constexpr std::size_t batch = 16; // between two calls of the progress
@@ -114,6 +123,7 @@ MapEntropy<PointT>::evaluate(std::vector<Eigen::Vector3d>* gradient)
     throw acmap::InitFailed("no point cloud was added");
   const acmap::Progress progress(this->progress_);
   MapEntropyReport report;
+  tellEmpty(report);
   acmap::StepTimer timer(report);
   makeCells(progress);
   if (!evaluator_)
@@ -153,6 +163,7 @@ MapEntropy<PointT>::computeExact()
   if (this->poses_.empty())
     throw acmap::InitFailed("no point cloud was added");
   MapEntropyReport report;
+  tellEmpty(report);
   acmap::StepTimer timer(report);
   std::vector<acmap::PosedPoints> views;
   for (std::size_t i = 0; i < this->poses_.size(); ++i)

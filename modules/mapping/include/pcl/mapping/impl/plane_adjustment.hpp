@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/point_types.h>
 #include <pcl/mapping/impl/posed_clouds.h>
@@ -38,8 +39,7 @@ std::size_t
 PlaneAdjustment<PointT>::addPointCloud(const PointCloudConstPtr& cloud,
                                        const acmap::RigidMotion& pose)
 {
-  if (!cloud)
-    throw acmap::BadArgument("a view needs a cloud");
+  acmap::requireCloud<acmap::BadArgument>(cloud);
   return addPointCloudLoader([cloud] { return cloud; }, pose);
 }
 

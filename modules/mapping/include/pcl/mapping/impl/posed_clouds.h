@@ -3,6 +3,7 @@
 #include <pcl/common/transforms.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/point_fields.h>
 #include <pcl/mapping/impl/map_entropy_kernel.h>
@@ -33,8 +34,7 @@ PosedClouds<PointT, Pose, ReportT>::addPointCloud(const PointCloudConstPtr& clou
                                                   const GivenPose& pose,
                                                   const std::vector<float>& weights)
 {
-  if (!cloud)
-    throw acmap::BadArgument("an observation needs a cloud");
+  requireCloud<BadArgument>(cloud);
   checkedPose(pose);
   requirePointWeights(weights, cloud->size());
   return add([cloud] { return cloud; }, pose, weights);

@@ -3,6 +3,7 @@
 #include <pcl/PCLPointField.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/point_fields.h>
 #include <pcl/texture/impl/texturing_kernel.h>
 #include <pcl/texture/plane_texturing.h>
@@ -35,9 +36,8 @@ void
 PlaneTexturing<PointT>::addObservation(const PointCloudConstPtr& cloud,
                                        const acmap::RigidMotion& T_map_camera)
 {
-  if (!cloud)
-    throw acmap::BadArgument("an observation needs a cloud");
-  observations_.push_back({cloud, T_map_camera, {}, {}});
+  acmap::requireCloud<acmap::BadArgument>(cloud);
+  observations_.push_back({cloud, acmap::requirePlace(T_map_camera), {}, {}});
 }
 
 template <typename PointT>
