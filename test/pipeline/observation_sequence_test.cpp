@@ -154,7 +154,7 @@ TEST_F(Observations, HaveAFingerprintOfTheirFilesAndPoses)
 TEST(ObservationsInMemory, HaveAFingerprintOfTheirBytes)
 {
   const auto cloud = std::make_shared<PointCloudFile>();
-  cloud->cloud.data = {1, 2, 3};
+  toPCLPointCloud2(PointCloud<PointXYZ>(3, 1), cloud->cloud);
   const std::string before = ObservationSequence({cloud}).fingerprint();
   const auto other = std::make_shared<PointCloudFile>(*cloud);
   EXPECT_EQ(ObservationSequence({other}).fingerprint(), before);
