@@ -120,11 +120,11 @@ endingOf(const BadCase& bad)
 std::string
 sentenceOf(const std::string& refusal)
 {
-  static const std::regex range(".* = [^ ]+ is refused: it must be within .*"),
+  static const std::regex range(".* = [^ ]+ is refused: it must be .*"),
       number("-?([0-9][0-9.e+-]*|nan|inf)\\b"), file("^[^ ]+[.]pcd: "),
       input("no ([a-z]+ )?[a-z]+ (was|were) (set|added)");
   if (std::regex_match(refusal, range))
-    return "NAME = # is refused: it must be within [#, #] UNIT";
+    return "NAME = # is refused: it must be LEGAL";
   const std::string sentence = std::regex_replace(refusal, file, "");
   return std::regex_replace(
       std::regex_replace(sentence, input, "no INPUT was set"), number, "#");

@@ -311,8 +311,8 @@ badViewpoints()
   const auto of = [](const Places& places) { return [=] { return places; }; };
   return {{"none", Answer::Any, of({})},
           {"one", Answer::Any, of({{0, 0, 0}})},
-          {"of NaN", Answer::Refused, of({{0, nan, 0}})},
-          {"of infinity", Answer::Refused, of({{0, 0, 0}, {0, 0, infinity}})},
+          {"at NaN", Answer::Refused, of({{0, nan, 0}})},
+          {"at infinity", Answer::Refused, of({{0, 0, 0}, {0, 0, infinity}})},
           {"at 1e30 m", Answer::Refused, of({{1e30F, 0, 0}})}};
 }
 

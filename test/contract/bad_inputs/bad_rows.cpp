@@ -78,7 +78,6 @@ layoutChanges()
       {"of longer rows", Answer::Refused, [](Rows& r) { r.row_step += 16; }},
       {"of the longest rows", Answer::Refused, [](Rows& r) { r.row_step = most; }},
       {"with colour outside", Answer::Refused, placed("rgb", 48)},
-      {"with a normal outside", Answer::Refused, placed("normal_x", most - 1)},
       {"with a view outside", Answer::Refused, placed("view", 4000)},
       {"with a normal of float64", Answer::Any, typed("normal_y", Field::FLOAT64)},
       {"with colour of count 2^31",
@@ -100,6 +99,8 @@ coordinateChanges()
   using Field = PCLPointField;
   constexpr std::uint32_t most = std::numeric_limits<std::uint32_t>::max();
   return {
+      {"with a normal outside", Answer::Refused, placed("normal_x", most - 1)},
+
       {"with overlapping fields", Answer::Refused, placed("y", 0)},
       {"with y apart", Answer::Refused, placed("y", 12)},
       {"with x at the end", Answer::Refused, placed("x", 48)},

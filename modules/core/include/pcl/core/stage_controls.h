@@ -14,7 +14,7 @@ template <typename ReportT>
 class StageControls {
 public:
   /** \brief Sets the number of threads (0 for all, default); the result does not depend
-   * on it. */
+   * on it. \throws BadArgumentException above 1024 */
   void
   setNumberOfThreads(unsigned int threads = 0)
   {
