@@ -74,14 +74,14 @@ function(acmap_compile_quickly target)
          CONTENT "int\nmain()\n{\n  return 0;\n}\n")
     acmap_add_program(acmap_test_headers SOURCES "${PROJECT_BINARY_DIR}/test_headers.cpp"
                       LIBRARIES acmap::core GTest::gmock nlohmann_json::nlohmann_json)
-    target_compile_options(acmap_test_headers PRIVATE -O0)
+    target_compile_options(acmap_test_headers PRIVATE -O0 -pthread)
     acmap_define_as_pcl_io(acmap_test_headers)
     target_precompile_headers(
       acmap_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <nlohmann/json.hpp>
       <pcl/point_cloud.h> <pcl/point_types.h> <Eigen/Geometry> <algorithm> <filesystem>
       <fstream> <functional> <map> <set> <string> <thread> <vector>)
   endif()
-  target_compile_options(${target} PRIVATE -O0)
+  target_compile_options(${target} PRIVATE -O0 -pthread) # which some libraries add alone
   acmap_define_as_pcl_io(${target})
   target_precompile_headers(${target} REUSE_FROM acmap_test_headers)
 endfunction()
