@@ -81,7 +81,7 @@ void
 requirePoses(const Trajectory& trajectory)
 {
   for (const Eigen::Isometry3d& pose : trajectory.poses)
-    acmap::requirePlace(pose);
+    acmap::requirePlace(pose.matrix()); // an Isometry3d leaves its last row unchecked
 }
 
 } // namespace
