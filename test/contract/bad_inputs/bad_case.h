@@ -63,8 +63,6 @@ void
 addMapCases(std::vector<BadCase>& cases);
 void
 addViewCases(std::vector<BadCase>& cases);
-void
-addShotCases(std::vector<BadCase>& cases);
 /** \} */
 
 } // namespace pcl::acmap::test

@@ -265,7 +265,6 @@ addCompactMapping(std::vector<BadCase>& cases)
             [=](Class& object, const Eigen::Matrix4d& pose) {
               set(object, good(), pose);
             })
-      .number("maximum waiting", &Class::setMaximumWaiting)
       .number("interval", &Class::setProvisionalInterval)
       .common(setThreads<Class>)
       .addTo(cases);
@@ -380,7 +379,7 @@ addSequences(std::vector<BadCase>& cases)
         state.object.align(state.sequence());
         const SequenceAlignmentReport& report = state.object.getReport();
         return Given{false,
-                     report.revisits.points < 2 * goodView().size() ||
+                     report.revisits.points < 4 * goodView().size() ||
                          given(false, report).is_told};
       },
       [](Alignment& state) { state.object.setInputTarget(state.sequence()); })

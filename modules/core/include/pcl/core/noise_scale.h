@@ -132,7 +132,7 @@ namespace acmap {
  *
  * A sigma above 0.2 m or 2 % of the extent, of which less than two thirds of the windows are
  * sure, is verified by
- * \ref measureSurfaceNoise, which does not take the storeys of a building for thick planes:
+ * measureSurfaceNoise, which does not take the storeys of a building for thick planes:
  * its result is taken if it contradicts by more than a factor of three, and if it is not
  * determined, neither is this one. Where many points are (0, 0, 0), as invalid ones of some
  * programs are, these are left out, and there are no ranges.
