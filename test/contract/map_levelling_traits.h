@@ -91,7 +91,10 @@ struct MapLevellingTraits : CommonTraits<MapLevelling<PointNormal>> {
                object.setUpDirection({0, std::nan(""), 0});
              },
              {"up direction", "finite"}},
-            {[](Class& object) { object.addPointCloud(nullptr, {}); }, {"cloud"}}};
+            {[](Class& object) {
+               object.addPointCloud(nullptr, Eigen::Isometry3d::Identity());
+             },
+             {"cloud"}}};
   }
 
   static std::string

@@ -99,7 +99,7 @@ struct RegisteredCloudsTraits : CommonTraits<ClassT<Point>> {
                        object.addPointCloud(std::make_shared<PointCloud<Point>>(),
                                             mirror);
                      },
-                     {"rigid motion", "1e9 m"}});
+                     {"rigid motion", "mirrors"}});
     return calls;
   }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <pcl/core/export.h>
-#include <pcl/core/fields.h>
 #include <pcl/core/impl/point_view.h>
 
 #include <cstddef>
@@ -24,23 +23,6 @@ struct SurfaceNoise {
   std::size_t answers = 0;  ///< that told a noise
   std::size_t members = 0;  ///< whose answers agree
 };
-
-/** \brief Calls visit (field, value) for each field; see \ref Field. */
-template <typename Visitor>
-void
-visitFields(const SurfaceNoise& noise, Visitor&& visit)
-{
-  visit({"is_determined"}, noise.is_determined);
-  visit({"reason"}, noise.reason);
-  visit({"sigma", "m"}, noise.sigma);
-  visit({"low", "m"}, noise.low);
-  visit({"high", "m"}, noise.high);
-  visit({"coarse", "m"}, noise.coarse);
-  visit({"spacing", "m"}, noise.spacing);
-  visit({"places"}, noise.places);
-  visit({"answers"}, noise.answers);
-  visit({"members"}, noise.members);
-}
 
 /** \brief Asks some 2,000 places of the surface, uniform over its area, for the residuals
  * of planes and quadrics in windows that grow until three in a row agree, and takes the
