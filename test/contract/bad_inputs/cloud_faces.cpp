@@ -118,15 +118,6 @@ addConsolidation(std::vector<BadCase>& cases)
 }
 
 template <typename Class>
-Given
-segment(Class& object)
-{
-  std::vector<PlanePatch> planes;
-  object.segment(planes);
-  return given(planes.empty(), object.getReport());
-}
-
-template <typename Class>
 void
 setNormals(Class& object, const PointCloud<Normal>::Ptr& normals)
 {
@@ -138,7 +129,7 @@ addPlanes(std::vector<BadCase>& cases)
 {
   using Class = PlaneHypothesisClustering<PointNormal>;
   auto face =
-      cloudFace<Class, PointNormal>("PlaneHypothesisClustering", segment<Class>);
+      cloudFace<Class, PointNormal>("PlaneHypothesisClustering", planesOf<Class>);
   face.give("normals", badNormals(goodView().size()), setNormals<Class>)
       .give("mesh", badMeshes(goodView().size()), setMesh<Class>)
       .give(
@@ -179,7 +170,7 @@ void
 addDepth(std::vector<BadCase>& cases)
 {
   using Segmentation = DepthPlaneSegmentation<PointXYZ>;
-  cloudFace<Segmentation, PointXYZ>("DepthPlaneSegmentation", segment<Segmentation>)
+  cloudFace<Segmentation, PointXYZ>("DepthPlaneSegmentation", planesOf<Segmentation>)
       .number("area", &Segmentation::setMinArea)
       .addTo(cases);
   using Refinement = DepthRefinement<PointXYZ>;

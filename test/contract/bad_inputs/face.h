@@ -2,6 +2,7 @@
 
 #include "bad_case.h"
 
+#include <pcl/core/plane_patch.h>
 #include <pcl/exceptions.h>
 
 #include <algorithm>
@@ -36,6 +37,15 @@ given(bool is_empty, const Report& report)
   if constexpr (CountsInvalid<Report>::value)
     is_told = is_told || (report.invalid_points > 0 && !is_empty);
   return {is_empty, is_told};
+}
+
+template <typename Class>
+Given
+planesOf(Class& object)
+{
+  std::vector<PlanePatch> planes;
+  object.segment(planes);
+  return given(planes.empty(), object.getReport());
 }
 
 /** \brief Numbers that no setter expects. */

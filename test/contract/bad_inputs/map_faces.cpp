@@ -19,6 +19,22 @@ namespace pcl::acmap::test {
 
 namespace {
 
+/** \param[in] set gives an object a good observation, and the cloud at the pose */
+template <typename Class, typename Set>
+Face<Class>&
+givePosed(Face<Class>& face, const Set& set)
+{
+  return face
+      .give("cloud",
+            badClouds(),
+            [=](Class& object, const Cloud::Ptr& cloud) {
+              set(object, cloud, Eigen::Matrix4d::Identity());
+            })
+      .give("pose", badPoses(), [=](Class& object, const Eigen::Matrix4d& pose) {
+        set(object, goodView().makeShared(), pose);
+      });
+}
+
 template <typename Class>
 void
 setThreads(Class& object, unsigned threads)
@@ -45,16 +61,7 @@ posedFace(const std::string& name, const typename Face<Class>::Run& run, const A
         object.setNumberOfThreads(1);
       },
       run);
-  face.give(
-          "cloud",
-          badClouds(),
-          [=](Class& object, const Cloud::Ptr& cloud) { set(object, cloud, identity); })
-      .give("pose",
-            badPoses(),
-            [=](Class& object, const Eigen::Matrix4d& pose) {
-              set(object, goodView().makeShared(), pose);
-            })
-      .common(setThreads<Class>);
+  givePosed(face, set).common(setThreads<Class>);
   return face;
 }
 
@@ -182,15 +189,7 @@ addTexturing(std::vector<BadCase>& cases)
         object.texture(map);
         return given(map.charts.empty(), object.getReport());
       });
-  face.give(
-          "cloud",
-          badClouds(),
-          [=](Class& object, const Cloud::Ptr& cloud) { set(object, cloud, identity); })
-      .give("pose",
-            badPoses(),
-            [=](Class& object, const Eigen::Matrix4d& pose) {
-              set(object, goodView().makeShared(), pose);
-            })
+  givePosed(face, set)
       .give("planes",
             badPlanes(),
             [](Class& object, const std::vector<PlanePatch>& planes) {

@@ -40,15 +40,6 @@ rowFace(
   return face;
 }
 
-template <typename Class>
-Given
-rowPlanes(Class& object)
-{
-  std::vector<PlanePatch> planes;
-  object.segment(planes);
-  return given(planes.empty(), object.getReport());
-}
-
 Given
 rowCylinders(CylinderHypothesisClustering<PCLPointCloud2>& object)
 {
@@ -162,7 +153,7 @@ addRowCases(std::vector<BadCase>& cases)
             [](Refinement& object, const IndicesPtr& i) { object.setIndices(i); })
       .addTo(cases);
   using Planes = PlaneHypothesisClustering<PCLPointCloud2>;
-  addClustering<Planes>(cases, "PlaneHypothesisClustering", rowPlanes<Planes>);
+  addClustering<Planes>(cases, "PlaneHypothesisClustering", planesOf<Planes>);
   using Cylinders = CylinderHypothesisClustering<PCLPointCloud2>;
   addClustering<Cylinders>(cases, "CylinderHypothesisClustering", rowCylinders);
   addPlaneMapping(cases);
