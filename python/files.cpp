@@ -104,11 +104,11 @@ readCloud(const PathArgument& argument)
                      owner);
   }
   cloud.fields = fields;
-  cloud.sensor_origin = py::array_t<float>({3}, file.sensor_origin.data(), owner);
+  cloud.sensor_origin = py::array_t<float>(3, file.sensor_origin.data(), owner);
   cloud.sensor_orientation =
-      py::array_t<float>({4}, file.sensor_orientation.coeffs().data(), owner);
+      py::array_t<float>(4, file.sensor_orientation.coeffs().data(), owner);
   if (file.up)
-    cloud.up = py::array_t<float>({3}, file.up->data(), owner);
+    cloud.up = py::array_t<float>(3, file.up->data(), owner);
   cloud.remarks = file.remarks;
   return cloud;
 }

@@ -114,7 +114,7 @@ public:
          const RunControls& controls,
          StageLog& log);
 
-  /** \brief What ended the recording before its end. */
+  /** \brief Why the recording ended early, if it did. */
   std::optional<MissingObservations>
   missing() const;
 
@@ -153,7 +153,7 @@ private:
 std::string
 partialMapText(std::size_t observations, const std::string& output);
 
-/** \brief What a replay has made. */
+/** \brief The result of a replay. */
 struct ReplayedMap {
   std::vector<std::string> files; ///< their names
   std::optional<MissingObservations> missing;

@@ -73,7 +73,7 @@ public:
     return chain_.state();
   }
 
-  /** \brief What ended a replay before its end. */
+  /** \brief Why a replay ended early, if it did. */
   const std::optional<MissingObservations>&
   missing() const
   {

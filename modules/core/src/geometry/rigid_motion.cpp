@@ -44,7 +44,8 @@ RigidMotion::rigid(const Eigen::Matrix4d& pose)
     throw BadArgument(no_motion, "it has a value that is not finite");
   if (pose.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
     throw BadArgument(no_motion, "its last row is not 0 0 0 1");
-  if (const double deviation = deviationOf(rotation); deviation > pose_tolerance)
+  const double deviation = deviationOf(rotation);
+  if (deviation > pose_tolerance)
     throw BadArgument(no_motion,
                       "the products of its axes deviate by ",
                       deviation,
@@ -54,7 +55,7 @@ RigidMotion::rigid(const Eigen::Matrix4d& pose)
   if (rotation.determinant() < 0)
     throw BadArgument(no_motion, "it mirrors");
   Eigen::Isometry3d motion(pose);
-  if (deviationOf(rotation) > exact)
+  if (deviation > exact)
     motion.linear() = nearestRotation(rotation);
   return motion;
 }

@@ -1,4 +1,5 @@
 #include "noise/noise_window.h"
+#include "noise/point_sample.h"
 
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/quantile.h>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <optional>
@@ -19,7 +19,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
 
-constexpr std::size_t most_points = std::size_t{1} << 21;
+constexpr std::size_t max_points = std::size_t{1} << 21;
 constexpr std::size_t candidates = 8000, wanted_places = 2000;
 constexpr std::size_t few_points = 12;
 constexpr std::size_t min_answers = 20;
@@ -38,13 +38,7 @@ isLess(const Eigen::Vector3f& a, const Eigen::Vector3f& b)
 double
 hashOf(const Eigen::Vector3f& point, std::uint64_t seed)
 {
-  std::uint64_t hash = seed;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::uint32_t bits;
-    std::memcpy(&bits, &point[axis], sizeof bits);
-    hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
-    hash ^= hash >> 29;
-  }
+  std::uint64_t hash = hashOfPlace(point, seed);
   hash *= 0xbf58476d1ce4e5b9u;
   hash ^= hash >> 32;
   return static_cast<double>(hash >> 11) * 0x1.0p-53;
@@ -59,7 +53,7 @@ cleaned(const PointView& points)
   std::size_t finite = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
     finite += points[i].allFinite();
-  const double share = static_cast<double>(most_points) /
+  const double share = static_cast<double>(max_points) /
                        static_cast<double>(std::max<std::size_t>(finite, 1));
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i].allFinite() && !points[i].isZero(0) &&
@@ -339,16 +333,15 @@ conclude(const std::vector<Answer>& members, SurfaceNoise& noise)
     noise.reason = "most places show several sheets behind each other";
     return;
   }
-  constexpr std::size_t most_counted = 400;
+  constexpr std::size_t max_counted = 400;
   const double half =
-      1 / std::sqrt(static_cast<double>(std::min(members.size(), most_counted)));
+      1 / std::sqrt(static_cast<double>(std::min(members.size(), max_counted)));
   noise.is_determined = true;
   if (sigmaAt(0.5) <= noise.spacing / too_fine)
     return;
   noise.sigma = sigmaAt(0.5);
   noise.low = sigmaAt(0.5 - half);
   noise.high = sigmaAt(0.5 + half);
-  noise.coarse = sigmaAt(0.75);
 }
 
 } // namespace

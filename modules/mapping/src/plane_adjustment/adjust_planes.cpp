@@ -9,6 +9,7 @@
 #include "view_pieces.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/impl/quantile.h>
 #include <pcl/mapping/impl/plane_adjustment_kernel.h>
 
@@ -430,6 +431,8 @@ adjustPlanes(const AdjustedViewReader& read,
   oneapi::tbb::parallel_for(std::size_t{0}, poses.size(), [&](std::size_t i) {
     read(i, [&](const AdjustedView& view) {
       pieces[i] = piecesOf(view, noise, counts[i]);
+      if (i == 0)
+        addRemarks(report, lengthRemarks(view.points));
     });
   });
   for (std::size_t i = 0; i < poses.size(); ++i) {

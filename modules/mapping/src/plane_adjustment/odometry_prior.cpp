@@ -1,5 +1,7 @@
 #include "odometry_prior.h"
 
+#include "../odometry_sigmas.h"
+
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 
@@ -14,10 +16,8 @@ namespace {
 Matrix6
 covarianceOf(const OdometryNoise& noise, const Eigen::Isometry3d& motion)
 {
-  const double turn =
-      noise.turn + noise.turn_per_radian * Eigen::AngleAxisd(motion.linear()).angle();
-  const double length =
-      noise.length + noise.length_per_metre * motion.translation().norm();
+  const double turn = turnSigma(noise, Eigen::AngleAxisd(motion.linear()).angle());
+  const double length = lengthSigma(noise, motion.translation().norm());
   Vector6 variances;
   variances.head<3>().setConstant(turn * turn);
   variances.tail<3>().setConstant(length * length);

@@ -1,5 +1,7 @@
 #include "action_chain.h"
 
+#include "../odometry_sigmas.h"
+
 #include <cmath>
 
 namespace pcl::acmap {
@@ -15,9 +17,8 @@ ActionChain::ActionChain(const std::vector<PlanarPose>& odometry,
 {
   for (std::size_t t = 1; t < odometry.size(); ++t) {
     const PlanarAction action = actionBetween(odometry[t - 1], odometry[t]);
-    const double length =
-        noise.length + noise.length_per_metre * std::hypot(action.dx, action.dz);
-    const double turn = noise.turn + noise.turn_per_radian * std::abs(action.dtheta);
+    const double length = lengthSigma(noise, std::hypot(action.dx, action.dz));
+    const double turn = turnSigma(noise, std::abs(action.dtheta));
     actions_.push_back(action);
     sigmas_.emplace_back(length, length, turn);
   }

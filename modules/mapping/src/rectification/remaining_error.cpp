@@ -1,6 +1,7 @@
 #include "remaining_error.h"
 
 #include "../entropy/planar_motion.h"
+#include "../odometry_sigmas.h"
 #include "entropy_search.h"
 
 #include <pcl/core/impl/quantile.h>
@@ -189,9 +190,8 @@ odometryLink(const PlanarPose& from,
   rows << -c, s, -action.dz, c, -s, 0, //
       -s, -c, action.dx, s, c, 0,      //
       0, 0, -1, 0, 0, 1;
-  const double length =
-      noise.length + noise.length_per_metre * std::hypot(given.dx, given.dz);
-  const double turn = noise.turn + noise.turn_per_radian * std::abs(given.dtheta);
+  const double length = lengthSigma(noise, std::hypot(given.dx, given.dz));
+  const double turn = turnSigma(noise, std::abs(given.dtheta));
   Link link;
   link.add(rows.row(0), action.dx - given.dx, 1 / (length * length));
   link.add(rows.row(1), action.dz - given.dz, 1 / (length * length));

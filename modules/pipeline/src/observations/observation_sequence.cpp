@@ -5,6 +5,7 @@
 #include <pcl/core/impl/byte_parcel.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/input_check.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/rigid_motion.h>
 #include <pcl/pipeline/fingerprint.h>
@@ -17,7 +18,6 @@
 #include <filesystem>
 #include <map>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
 namespace pcl {
@@ -40,15 +40,6 @@ bool
 isKnown(const Eigen::Isometry3d& viewpoint)
 {
   return !viewpoint.matrix().isIdentity(0);
-}
-
-std::string
-shortText(double value)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
 }
 
 std::shared_ptr<acmap::ObservationCache>
@@ -383,9 +374,9 @@ ObservationSequence::load(std::size_t i) const
       (observation.T_map_camera.translation() - viewpoint.translation()).norm();
   constexpr double max_apart = 0.001; // metres
   if (!is_given_ && isKnown(viewpoint) && apart > max_apart)
-    observation.remarks.push_back(paths_[i] + ": its VIEWPOINT is " + shortText(apart) +
-                                  " m from its pose in " + acmap::trajectory_name +
-                                  ", which holds");
+    observation.remarks.push_back(paths_[i] + ": its VIEWPOINT is " +
+                                  acmap::shortNumber(apart) + " m from its pose in " +
+                                  acmap::trajectory_name + ", which holds");
   return observation;
 }
 

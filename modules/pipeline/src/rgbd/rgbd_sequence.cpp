@@ -3,13 +3,13 @@
 #include "rgbd/text_rows.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/pipeline/rgbd_sequence.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>
-#include <sstream>
 
 namespace pcl {
 
@@ -93,15 +93,6 @@ openKnownLayout(const std::string& folder, const RgbdSequenceSettings& settings)
                "and for folders depth and color, image or rgb (Open3D)");
 }
 
-std::string
-metresText(double value)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-
 } // namespace
 
 } // namespace acmap
@@ -139,7 +130,7 @@ loadPose(const RgbdFrame& frame)
   }
   if (!(pose.translation().cwiseAbs().maxCoeff() < acmap::farthest_camera))
     throw InputFileException(frame.depth + ": its camera is " +
-                             acmap::metresText(pose.translation().norm()) +
+                             acmap::shortNumber(pose.translation().norm()) +
                              " m away from the origin");
   return pose;
 }

@@ -5,20 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace pcl {
 
 namespace {
-
-std::string
-threeDigits(double value)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
 
 /** \brief Memory for the costs of all disparities of a rig's views, in bytes. */
 std::size_t
@@ -60,10 +50,11 @@ disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest)
   // the conversion between depth and disparity is its own inverse
   const double from = std::floor(depthOf(rig, farthest)) - 1.0;
   if (from > longest)
-    throw acmap::BadArgument(
-        "at " + threeDigits(farthest) + " m disparities are longer than the image, " +
-        std::to_string(static_cast<long>(longest)) + " px; the rig's baseline is " +
-        threeDigits(disparityBaseline(rig)) + " m");
+    throw acmap::BadArgument("at " + acmap::shortNumber(farthest) +
+                             " m disparities are longer than the image, " +
+                             std::to_string(static_cast<long>(longest)) +
+                             " px; the rig's baseline is " +
+                             acmap::shortNumber(disparityBaseline(rig)) + " m");
   const double to = std::min(std::ceil(depthOf(rig, nearest)) + 1.0, longest);
   SearchRange range;
   range.minimum = static_cast<int>(std::max(from, 0.0));
@@ -82,9 +73,9 @@ setUpStereo(const TrinocularRig& rig,
   const double nearest = settings.projection.getMinimumDepth();
   const double farthest = settings.projection.getMaximumDepth();
   if (nearest >= farthest)
-    throw acmap::BadArgument("the minimum depth " + threeDigits(nearest) +
+    throw acmap::BadArgument("the minimum depth " + acmap::shortNumber(nearest) +
                              " m is not below the maximum depth " +
-                             threeDigits(farthest) + " m");
+                             acmap::shortNumber(farthest) + " m");
   const SearchRange range = disparitiesBetween(rig, nearest, farthest);
   if (cost)
     cost(std::to_string(range.count) + " disparities of " + sizeText(rig) + " pixels",

@@ -17,7 +17,6 @@ struct SurfaceNoise {
    * to be told from nothing. */
   double sigma = 0;
   double low = 0, high = 0; ///< 95 % interval of \ref sigma
-  double coarse = 0;        ///< exceeded by a quarter of the places that agree
   double spacing = 0;       ///< side of the square of surface for each point
   std::size_t places = 0;   ///< that were asked
   std::size_t answers = 0;  ///< that told a noise

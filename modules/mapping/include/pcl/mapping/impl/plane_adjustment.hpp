@@ -2,7 +2,6 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/input_check.h>
-#include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/point_types.h>
 #include <pcl/mapping/impl/posed_clouds.h>
 #include <pcl/mapping/plane_adjustment.h>
@@ -107,8 +106,6 @@ PlaneAdjustment<PointT>::compute()
         const PointCloudConstPtr cloud = this->loaders_[i]();
         use(cloud ? acmap::adjustedViewOf(*cloud) : acmap::AdjustedView());
       };
-  if (const PointCloudConstPtr first = this->loaders_.front()())
-    acmap::addRemarks(report, acmap::lengthRemarks(acmap::pointsOf(*first)));
   std::vector<Eigen::Isometry3d> poses;
   acmap::withThreads(this->threads_, [&] {
     poses = acmap::adjustPlanes(
