@@ -1,4 +1,5 @@
 #include "bad_case.h"
+#include "repetitions.h"
 
 #include <pcl/console/print.h>
 
@@ -34,15 +35,17 @@ using Sentences = std::map<std::string, std::map<std::string, std::string>>;
 } // namespace
 
 /** No class crashes, hangs, throws what is not PCL's, or is silent, and all refuse an input
- * of a kind in the same words. */
+ * of a kind in the same words. CI asks each seventh case, the long run all of them. */
 TEST(BadInputMatrix, eachIsUsedToldOrRefusedInTheSameWords)
 {
   console::setVerbosityLevel(console::L_ALWAYS);
   const char* const chosen = std::getenv("ACMAP_BAD_INPUT"); // a part of a name
   Sentences sentences;
+  const auto stride = static_cast<std::size_t>(repetitions(7, 1));
   std::size_t run = 0, refused = 0;
-  for (const BadCase& bad : allCases()) {
-    if (chosen && bad.name.find(chosen) == std::string::npos)
+  for (std::size_t i = 0; i < allCases().size(); ++i) {
+    const BadCase& bad = allCases()[i];
+    if (chosen ? bad.name.find(chosen) == std::string::npos : i % stride != 0)
       continue;
     const Ending ending = endingOf(bad);
     ++run;
@@ -61,7 +64,8 @@ TEST(BadInputMatrix, eachIsUsedToldOrRefusedInTheSameWords)
     EXPECT_EQ(texts.size(), 1U) << fault << list.str();
   }
   std::cout << run << " cases, of which " << refused << " were refused\n";
-  EXPECT_TRUE(chosen || run >= 2000U);
+  EXPECT_GE(allCases().size(), 2000U);
+  EXPECT_GT(run, 0U);
 }
 
 } // namespace pcl::acmap::test

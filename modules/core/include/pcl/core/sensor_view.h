@@ -23,14 +23,18 @@ public:
   /** \brief The sensor positions are unknown. */
   SensorView() = default;
 
-  /** \brief All points were seen by one sensor. */
+  /** \brief All points were seen by one sensor; it is unknown if its position is not finite.
+   */
   explicit SensorView(const Eigen::Vector3f& origin)
-  : origins_{origin}
-  {}
+  {
+    if (origin.allFinite())
+      origins_ = {origin};
+  }
 
   /** \param[in] first address of the int32 `view` of the first point of the array
    * \param[in] stride bytes from one point to the next
-   * \param[in] origins sensor position of each observation
+   * \param[in] origins sensor position of each observation; those that are not finite are
+   * unknown
    * \param[in] indices indices into the array, nullptr for all points in their order */
   SensorView(const void* first,
              std::size_t stride,
@@ -61,7 +65,10 @@ public:
   operator[](std::size_t i) const
   {
     const std::int32_t view = observation(i);
-    return view < 0 ? nullptr : &origins_[static_cast<std::size_t>(view)];
+    if (view < 0)
+      return nullptr;
+    const Eigen::Vector3f& origin = origins_[static_cast<std::size_t>(view)];
+    return origin.allFinite() ? &origin : nullptr;
   }
 
   /** \brief Index of the observation that saw point \a i of the view; 0 if one sensor
