@@ -219,7 +219,10 @@ loadFile(const std::string& path, double scale)
     throw NothingFound(path + ": nothing to show, no point is finite");
   ViewerInput input;
   note(file.points, input.remarks);
-  input.sensor_origin = sensorOf(file.points);
+  if (file.points.up)
+    input.sensor_origin.reset();
+  else
+    input.sensor_origin = file.points.sensor_origin;
   input.sensor_orientation = file.points.sensor_orientation;
   input.up = file.points.up;
   if (endingOf(path) == ".obj")

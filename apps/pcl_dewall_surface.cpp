@@ -85,6 +85,14 @@ addOptions(Tool& tool, Options& options)
             true,
             "Write with each triangle the depth of the dividing wall that made it "
             "(.ply only)");
+  addSwitch(
+      app,
+      "--outward",
+      options.dewall,
+      &Triangulation::setOutward,
+      true,
+      "An object that was seen from all sides: its surface faces outward, whatever "
+      "sensor the cloud has");
   tool.addThreads();
   tool.addScale();
 }
@@ -104,6 +112,15 @@ struct Input {
   pcl::CloudRows rows;
   /** Up direction, if free space has to tell the sides of the surfaces. */
   std::optional<Eigen::Vector3d> up;
+
+  pcl::SensorEvidence sensor; ///< of a cloud without views
+
+  /** Up direction that the file states, if no sensor is known. */
+  std::optional<Eigen::Vector3f>
+  upOfFile() const
+  {
+    return sensor.isKnown() ? std::nullopt : file.up;
+  }
 
   pcl::acmap::PointView
   points() const
@@ -141,7 +158,8 @@ triangulate(pcl::DeWallTriangulation<pcl::PCLPointCloud2>& dewall,
       estimateDeWallMemory(input.rows.size(), true, dewall.getAcceptanceRule()),
       "triangulating this cloud");
   dewall.setInputCloud(input.rows);
-  dewall.setSensorOrigin(input.file.sensor_origin);
+  if (input.sensor.outcome == pcl::SensorOutcome::Stated)
+    dewall.setSensorOrigin(input.file.sensor_origin);
   if (input.up)
     dewall.setUpDirection(*input.up);
   dewall.setNumberOfThreads(controls.threads);
@@ -185,8 +203,8 @@ consolidate(const Options& options,
   pcl::VoxelConsolidation<pcl::PCLPointCloud2> consolidation = options.consolidation;
   consolidation.setViewpoints(
       viewpointsOfFile(input.file, options.input, controls.scale, log));
-  if (const auto sensor = sensorOf(input.file))
-    consolidation.setSensorOrigin(*sensor);
+  if (input.sensor.isKnown())
+    consolidation.setSensorOrigin(input.file.sensor_origin);
   if (const double voxel_size = consolidation.getVoxelSize(); voxel_size > 0)
     requireFineLength("--consolidate", voxel_size, input.points(), log);
   consolidation.setNumberOfThreads(controls.threads);
@@ -194,7 +212,7 @@ consolidate(const Options& options,
   consolidation.setInputCloud(input.rows);
   consolidation.filter(input.rows);
   const pcl::ConsolidationReport& report = consolidation.getReport();
-  input.up = upWithoutSensors(input.rows, input.file.up, report.sensors_fit);
+  input.up = upWithoutSensors(input.rows, input.upOfFile(), report.sensors_fit);
   log.warn(report.remarks);
   tellConsolidation(report, log);
   return report.voxel_size;
@@ -242,7 +260,8 @@ meshCloud(const Options& options, const RunControls& controls, StageLog& log)
   progress.tell(0, "reading");
   Input input;
   input.rows = loadCloudRows(options.input, controls.scale, input.file);
-  input.up = upWithoutSensors(input.rows, input.file.up, true);
+  input.sensor = sensorEvidence(input.rows, input.file);
+  input.up = upWithoutSensors(input.rows, input.upOfFile(), true);
   timer.finish("read");
   stopIfInterrupted();
 

@@ -34,8 +34,7 @@ triangulate(const PointArgument& points,
   }
   DeWallReport report;
   TriangleMesh mesh = callKernel(listener, [&](const Progress& progress) {
-    input.is_single_view =
-        rows.width > 0 && isSingleView(rows.view, rows.width, input.sensor_origin);
+    takeSensor(rows.width, !input.sensor_origin.isZero(0), input);
     return triangulateDeWall(input, settings, progress, report);
   });
   return pythonMesh(std::move(mesh), reportOf(report));

@@ -89,6 +89,7 @@ DeWallTriangulation<PCLPointCloud2>::setSensorOrigin(const Eigen::Vector3f& orig
 {
   acmap::requireViewpoints({origin});
   sensor_origin_ = origin;
+  is_sensor_stated_ = true;
 }
 
 void
@@ -98,10 +99,13 @@ DeWallTriangulation<PCLPointCloud2>::reconstruct(TriangleMesh& mesh)
   input.points = acmap::requirePoints(rows_);
   const RowNormals normals(rows_);
   input.sensor_origin = sensor_origin_.cast<double>();
-  input.is_single_view =
-      rows_.layout().height > 1 &&
-      acmap::isSingleView(input.points, rows_.layout().width, input.sensor_origin);
   input.normals = normals.view();
+  acmap::takeSensor(
+      rows_.layout().height > 1 ? rows_.layout().width : 0, is_sensor_stated_, input);
+  if (scan_) {
+    input.scan = acmap::requirePoints(scan_);
+    input.scan_edge = scan_edge_;
+  }
   input.threads = threads_;
   DeWallReport report;
   TriangleMesh result =

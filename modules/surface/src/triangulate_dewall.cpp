@@ -36,6 +36,21 @@ chooseKernel()
 
 } // namespace
 
+void
+takeSensor(std::size_t width, bool is_stated, DeWallInput& input)
+{
+  input.is_single_view = isSingleView(input.points, width, input.sensor_origin);
+  if (input.is_single_view || input.normals.size() == 0) {
+    input.sensor = assessSensor(input.points, width, input.sensor_origin);
+    const bool is_proved = input.sensor.outcome == SensorOutcome::Proved;
+    if (is_proved && !input.is_single_view)
+      input.scan = input.points;
+    input.is_single_view = is_proved;
+  }
+  if (!input.is_single_view && is_stated)
+    input.sensor.outcome = SensorOutcome::Stated;
+}
+
 std::size_t
 estimateDeWallMemory(std::size_t points, bool with_normals, DeWallRule rule)
 {

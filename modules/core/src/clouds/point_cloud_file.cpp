@@ -122,6 +122,29 @@ loadCloudRows(const std::string& path, double scale, PointCloudFile& file)
   return CloudRows(file.cloud, std::move(rows));
 }
 
+SensorEvidence
+sensorEvidence(const CloudRows& rows, const PointCloudFile& file)
+{
+  const bool has_pose =
+      !file.sensor_origin.isZero(0) ||
+      !file.sensor_orientation.isApprox(Eigen::Quaternionf::Identity());
+  SensorEvidence result;
+  result.confidence = 1;
+  if (file.sensor_statement == SensorStatement::NoSensor) {
+    result.evidence = "stated: no single sensor";
+    return result;
+  }
+  if (has_pose || file.sensor_statement == SensorStatement::Stated) {
+    result.outcome = SensorOutcome::Stated;
+    result.evidence = "stated";
+    return result;
+  }
+  const PCLPointCloud2& layout = rows.layout();
+  return assessSensor(requirePoints(rows),
+                      layout.height > 1 ? layout.width : 0,
+                      file.sensor_origin.cast<double>());
+}
+
 PointCloudFile
 loadScaledCloud(const std::string& path, double scale)
 {

@@ -21,6 +21,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace pcl {
@@ -134,11 +135,8 @@ public:
   inSpace(const std::vector<Eigen::Vector3f>& viewpoints)
   {
     MappedPlanes result = emptyResult();
-    std::vector<Eigen::Vector3f> sensors;
-    if (namesViews())
-      sensors = viewpoints;
-    else if (const auto sensor = sensorOf(file_))
-      sensors = {*sensor};
+    const std::vector<Eigen::Vector3f> sensors =
+        namesViews() ? viewpoints : singleSensor();
     Indices vertex_of_point;
     const bool is_consolidated = consolidate(sensors, result, vertex_of_point);
     if (!is_consolidated)
@@ -216,6 +214,16 @@ private:
     return findField(rows_.layout(), "view", PCLPointField::INT32);
   }
 
+  /** Asks the points of a cloud without views for their sensor; none if it is not known. */
+  std::vector<Eigen::Vector3f>
+  singleSensor()
+  {
+    report_.sensor = sensorEvidence(rows_, file_);
+    if (!report_.sensor->isKnown())
+      return {};
+    return {file_.sensor_origin};
+  }
+
   void
   finish(const char* step)
   {
@@ -248,12 +256,13 @@ private:
       return false;
     PlaneMapping::Consolidation consolidation = mapping_.getConsolidation();
     if (mapping_.getConsolidationPolicy() == ConsolidationPolicy::WhereNoisy) {
+      const auto known =
+          sensors.empty() ? std::nullopt : std::make_optional(sensors.front());
       const Progress progress(progress_);
       progress.tell(0, "noise scale");
-      report_.noise_scale =
-          measureNoiseScale(requirePoints(rows_),
-                            sensorsOf(rows_, sensors, sensorOf(file_)),
-                            mapping_.getNumberOfThreads());
+      report_.noise_scale = measureNoiseScale(requirePoints(rows_),
+                                              sensorsOf(rows_, sensors, known),
+                                              mapping_.getNumberOfThreads());
       if (report_.noise_scale->inverse_depth || !report_.noise_scale->is_determined)
         report_.remarks.push_back(report_.noise_scale->remarks.front());
       finish("noise scale");
@@ -266,8 +275,8 @@ private:
     consolidation.setInputCloud(rows_);
     if (namesViews())
       consolidation.setViewpoints(sensors);
-    else if (const auto sensor = sensorOf(file_))
-      consolidation.setSensorOrigin(*sensor);
+    else if (!sensors.empty())
+      consolidation.setSensorOrigin(sensors.front());
     consolidation.setKeepSources(!mapping_.getClustering().getNoiseDriven());
     prepare(consolidation, 0, 0.3);
     consolidation.filter(result.vertices);
@@ -317,7 +326,10 @@ private:
       DeWallTriangulation<PCLPointCloud2> dewall;
       static_cast<DeWallParameters&>(dewall) = *given;
       dewall.setInputCloud(result.vertices);
-      dewall.setSensorOrigin(file_.sensor_origin);
+      if (!report_.sensor || report_.sensor->outcome == SensorOutcome::Stated)
+        dewall.setSensorOrigin(file_.sensor_origin);
+      if (isConsolidatedScan())
+        dewall.setScan(rows_, mesh_edge_in_voxels * report_.consolidation->voxel_size);
       runDeWall(dewall, result);
     }
     else {
@@ -329,15 +341,28 @@ private:
     finish("triangulate");
   }
 
+  /** Are the vertices consolidated from a scan that one sensor measured? */
+  bool
+  isConsolidatedScan() const
+  {
+    return report_.consolidation && report_.sensor &&
+           report_.sensor->outcome == SensorOutcome::Proved;
+  }
+
   template <typename DeWall>
   void
   runDeWall(DeWall& dewall, MappedPlanes& result)
   {
     const bool sensors_fit =
         !report_.consolidation || report_.consolidation->sensors_fit;
-    if (const auto up = upWithoutSensors(result.vertices, file_.up, sensors_fit))
+    const bool has_sensor = report_.sensor && report_.sensor->isKnown();
+    if (const auto up = upWithoutSensors(
+            result.vertices, has_sensor ? std::nullopt : file_.up, sensors_fit))
       dewall.setUpDirection(*up);
-    if (dewall.getMaximumEdgeLength() == 0 && report_.consolidation)
+    constexpr bool takes_scan =
+        std::is_same_v<DeWall, DeWallTriangulation<PCLPointCloud2>>;
+    if (dewall.getMaximumEdgeLength() == 0 && report_.consolidation &&
+        !(takes_scan && isConsolidatedScan()))
       dewall.setMaximumEdgeLength(mesh_edge_in_voxels *
                                   report_.consolidation->voxel_size);
     prepare(dewall, 0.3, 0.6);

@@ -5,6 +5,7 @@
 #include "planes/paper_growth.h"
 #include "planes/plane_growth.h"
 #include "planes/plane_merge.h"
+#include "planes/plane_sides.h"
 
 #include <pcl/core/impl/parallel.h>
 #include <pcl/segmentation/impl/plane_clustering_kernel.h>
@@ -157,6 +158,15 @@ describe(const PlaneClusters& clusters,
     report.points_on_planes += label >= 0 ? 1 : 0;
   if (hypotheses.triangles.empty())
     report.remarks.emplace_back("without a mesh the planes have no outlines");
+  else if (const auto bare = std::count_if(
+               clusters.patches.begin(),
+               clusters.patches.end(),
+               [](const PlanePatch& patch) { return patch.polygons.empty(); });
+           bare > 0)
+    report.remarks.push_back(
+        std::to_string(bare) +
+        " planes have no outline: their points are on lines, and no "
+        "surface is seen between these");
   if (const std::size_t layers = countLayers(clusters.patches, report.spacing))
     report.remarks.push_back(
         std::to_string(layers) + " of the " + std::to_string(report.planes) +
@@ -164,6 +174,11 @@ describe(const PlaneClusters& clusters,
         "less "
         "than a quarter of the points that their area asks for; segment the organized "
         "view (DepthPlaneSegmentation), or consolidate the cloud");
+  if (report.planes_through_sensor > 0)
+    report.remarks.push_back(
+        std::to_string(report.planes_through_sensor) +
+        " planes pass through the sensor: they are rings or sheets "
+        "of its rays, no surfaces, and were removed");
   if (100 * report.points_on_curved > report.points)
     report.remarks.push_back(std::to_string(report.points_on_curved) +
                              " points lie on curved surfaces, which are no planes");
@@ -269,9 +284,14 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     if (!settings.noise_driven)
       for (std::size_t p = 0; p < grown.size(); ++p)
         describeFit(graph, grown[p], known.planes[p]);
-    else if (source.points.size() > 0)
+    else if (source.points.size() > 0) {
       clusters.source_labels =
           labelPoints(source.points, source.sensors, labeling, progress, known, report);
+      const PlaneSides sides =
+          turnToSensors(source.points, source.sensors, clusters.source_labels, known);
+      report.turned_planes = sides.turned;
+      report.planes_through_sensor = sides.removed;
+    }
     else {
       dropUnsure(known, report);
       labeling.coarseness = 3; // windows of neighbouring consolidated points overlap

@@ -95,16 +95,44 @@ listsOf(std::vector<Part>& parts, GrowingMesh& mesh, DeWallReport& report)
   return lists;
 }
 
+/** \param[out] sides by what the mesh is oriented; without facing directions, too */
 Facing
 facingOf(const PointTree& tree,
          const Spacing& spacing,
          const DeWallInput& input,
-         const std::optional<Eigen::Vector3d>& up)
+         const DeWallSettings& settings,
+         DeWallSides& sides)
 {
-  if (up)
-    return Facing::along(freeSpaceNormals(tree, spacing, input.normals, *up));
-  return input.is_single_view ? Facing::towards(tree, input.sensor_origin)
-                              : Facing::byNormals(tree, input.normals);
+  sides = DeWallSides::Outward;
+  if (settings.outward)
+    return {};
+  sides = DeWallSides::FreeSpace;
+  if (settings.up)
+    return Facing::along(freeSpaceNormals(tree, spacing, input.normals, *settings.up));
+  sides = DeWallSides::Sensor;
+  if (input.is_single_view)
+    return Facing::towards(tree, input.sensor_origin);
+  Facing by_normals = Facing::byNormals(tree, input.normals);
+  if (by_normals.isKnown())
+    sides = DeWallSides::Normals;
+  else if (!input.sensor.isKnown())
+    sides = DeWallSides::Undetermined;
+  return by_normals;
+}
+
+void
+remarkOnSides(const DeWallSettings& settings, DeWallReport& report)
+{
+  if (report.triangles == 0 || settings.outward)
+    return;
+  if (report.sides == DeWallSides::Undetermined)
+    report.remarks.emplace_back("which side of the surface was seen is undetermined: "
+                                "no sensor is stated, and the "
+                                "points do not prove one at the origin");
+  if (report.sides == DeWallSides::Outward)
+    report.remarks.emplace_back(
+        "no sensor is known, and the surface is closed: it faces "
+        "outward, as an object that was seen from all sides");
 }
 
 /** \brief Maximum number of points of a half that is not divided. */
@@ -175,7 +203,10 @@ triangulate(const DeWallInput& input,
                              " distinct finite points");
     return {};
   }
-  const Spacing spacing = measureSpacing(tree, input.neighbours);
+  Spacing spacing = measureSpacing(tree, input.neighbours);
+  if (input.scan.size() > 0 && !input.neighbours)
+    reachNextRings(
+        tree, RingGaps(input.scan, input.sensor_origin), input.scan_edge, spacing);
   remarkOnSearch(spacing, report);
   report.median_spacing = spacing.median();
   const SizeConstraint size = settings.maximum_edge_length > 0
@@ -186,7 +217,8 @@ triangulate(const DeWallInput& input,
   report.largest_maximum_edge = size.largest();
   timer.finish("spacing");
 
-  const Facing facing = facingOf(tree, spacing, input, settings.up);
+  const Facing facing = facingOf(tree, spacing, input, settings, report.sides);
+  report.sensor = input.sensor;
   Ticker ticker(progress, tree.size(), settings.rule);
   const std::function<void()> tick = [&] { ticker(); };
   TriangleMesh result =
@@ -204,6 +236,7 @@ triangulate(const DeWallInput& input,
                 tree, size, facing, input.sensor_origin, settings, tick, timer, report);
   if (result.triangles.empty())
     report.remarks.push_back(whyEmpty(size));
+  remarkOnSides(settings, report);
   progress.tell(1, "orientation");
   return result;
 }

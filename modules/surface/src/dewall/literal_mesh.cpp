@@ -1,3 +1,4 @@
+#include "enclosed_volume.h"
 #include "literal_builder.h"
 #include "mesh_steps.h"
 
@@ -27,12 +28,14 @@ membersOf(const PointTree& tree, PointSets clusters)
   return members;
 }
 
-/** \brief Meshes a cluster. Corners are points of the tree, and face the sensor. */
+/** \brief Meshes a cluster. Corners are points of the tree, and face the sensor, or outward.
+ * \param[in] volume if they face outward */
 LiteralMesh
 meshCluster(const PointTree& tree,
             const SizeConstraint& size,
             const Facing& facing,
             const Eigen::Vector3d& sensor,
+            const std::optional<EnclosedVolume>& volume,
             const std::vector<std::int32_t>& members,
             std::int32_t leaf_size,
             const std::function<void()>& tick)
@@ -43,9 +46,10 @@ meshCluster(const PointTree& tree,
     auto& corners = triangle.corners;
     for (std::int32_t& corner : corners)
       corner = points.indexInAll(corner);
-    const double area = facing.isKnown() ? facing.shownArea(tree, corners)
-                                         : areaFacing(tree, corners, sensor);
-    if (area < 0)
+    const double shown = volume             ? volume->under(corners)
+                         : facing.isKnown() ? facing.shownArea(tree, corners)
+                                            : areaFacing(tree, corners, sensor);
+    if (shown < 0)
       std::swap(corners[1], corners[2]);
   }
   return mesh;
@@ -156,10 +160,13 @@ literalMesh(const PointTree& tree,
       membersOf(tree, findClusters(tree, size, PointSets(tree.size())));
   report.clusters = clusters.size();
   timer.finish("clusters");
+  std::optional<EnclosedVolume> volume;
+  if (settings.outward)
+    volume.emplace(tree);
   std::vector<LiteralMesh> meshes(clusters.size());
   oneapi::tbb::parallel_for(std::size_t{0}, clusters.size(), [&](std::size_t c) {
-    meshes[c] =
-        meshCluster(tree, size, facing, sensor_origin, clusters[c], leaf_size, tick);
+    meshes[c] = meshCluster(
+        tree, size, facing, sensor_origin, volume, clusters[c], leaf_size, tick);
   });
   timer.finish("walls and halves");
   EdgeCount(tree.size(), meshes).tell(report);

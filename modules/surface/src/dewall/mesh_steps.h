@@ -101,7 +101,9 @@ countVertices(const MeshArrays& arrays, DeWallReport& report);
 
 /** \brief Converts the grown triangles to a mesh of source indices. Each component is
  * oriented as a whole, by the facing directions if known, otherwise towards the sensor
- * (by projected area). The report's other counts of the mesh are set.
+ * (by projected area). If the report's sides are Outward, or they become so because no
+ * sensor is known and the mesh is closed, it is by the volume that it encloses. The report's
+ * other counts of the mesh are set.
  * \param[in] grown its vertices are not needed any more */
 TriangleMesh
 orientedMesh(GrowingMesh& grown,

@@ -1,31 +1,38 @@
+#include "enclosed_volume.h"
 #include "mesh_steps.h"
+
+#include <cmath>
+#include <numeric>
 
 namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
-/** \brief Orients each component so that the larger area faces the sensor. */
+/** \brief Orients each component so that the larger area faces the sensor, or outward. */
 class Turning {
 public:
   Turning(GrowingMesh& grown,
           const std::vector<TriangleList>& lists,
           PointSets components,
-          const Eigen::Vector3d& sensor)
+          const Eigen::Vector3d& sensor,
+          DeWallSides& sides)
   : grown_(grown)
   , tree_(grown.arrays().tree)
   , components_(std::move(components))
   , shown_(static_cast<std::size_t>(tree_.size()))
   {
     const Facing& facing = grown.arrays().facing;
-    PollPace pace;
-    for (const TriangleList& list : lists)
-      for (const GrownTriangle& triangle : *list.triangles) {
-        pace();
-        const double area = facing.isKnown()
-                                ? facing.shownArea(tree_, triangle.corners)
-                                : areaFacing(tree_, triangle.corners, sensor);
-        shownOf(triangle) += isFlipped(triangle) ? -area : area;
-      }
+    const bool may_be_closed = sides == DeWallSides::Outward ||
+                               sides == DeWallSides::FreeSpace ||
+                               sides == DeWallSides::Undetermined;
+    if (may_be_closed && turnOutward(lists, sides == DeWallSides::Outward)) {
+      sides = DeWallSides::Outward;
+      return;
+    }
+    sumShown(lists, [&](const GrownTriangle& triangle) {
+      return facing.isKnown() ? facing.shownArea(tree_, triangle.corners)
+                              : areaFacing(tree_, triangle.corners, sensor);
+    });
   }
 
   bool
@@ -35,6 +42,45 @@ public:
   }
 
 private:
+  /** \param[in] shown of a triangle as it was grown; negative: its back */
+  template <typename Shown>
+  void
+  sumShown(const std::vector<TriangleList>& lists, const Shown& shown)
+  {
+    std::fill(shown_.begin(), shown_.end(), 0.0);
+    PollPace pace;
+    for (const TriangleList& list : lists)
+      for (const GrownTriangle& triangle : *list.triangles) {
+        pace();
+        const double value = shown(triangle);
+        shownOf(triangle) += isFlipped(triangle) ? -value : value;
+      }
+  }
+
+  /** \param[in] always also if the mesh is not closed, or too large for an object
+   * \return false if the components are not oriented yet */
+  bool
+  turnOutward(const std::vector<TriangleList>& lists, bool always)
+  {
+    const EnclosedVolume volume(tree_);
+    if (!always && volume.diagonal() > largest_object)
+      return false;
+    sumShown(lists, [&](const GrownTriangle& triangle) {
+      return volume.under(triangle.corners);
+    });
+    if (always)
+      return true;
+    const double enclosed = std::accumulate(
+        shown_.begin(), shown_.end(), 0.0, [](double sum, double of_component) {
+          return sum + std::abs(of_component);
+        });
+    return enclosed >= closed_share * volume.ofHull();
+  }
+
+  /** No sensor that maps a building stands inside of it. */
+  static constexpr double largest_object = 3; // metres
+  static constexpr double closed_share = 0.3; // of the convex hull
+
   bool
   isFlipped(const GrownTriangle& triangle)
   {
@@ -93,7 +139,7 @@ orientedMesh(GrowingMesh& grown,
   const PointTree& tree = grown.arrays().tree;
   const std::size_t unused = static_cast<std::size_t>(tree.size()) - report.used_points;
   report.components = components.count() - unused; // each of which is a set
-  Turning turning(grown, lists, std::move(components), sensor_origin);
+  Turning turning(grown, lists, std::move(components), sensor_origin, report.sides);
   for (const TriangleList& list : lists)
     report.triangles += list.triangles->size();
   report.edges = (3 * report.triangles + report.boundary_edges) / 2;

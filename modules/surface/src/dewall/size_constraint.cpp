@@ -9,9 +9,6 @@ namespace pcl::acmap::ACMAP_DEWALL {
 
 namespace {
 
-/** \brief Maximum edge length in multiples of the distance to the eighth neighbour. */
-constexpr double reach = 2.5;
-
 /** \brief The largest float that is not above a length, so that no edge exceeds the
  * requested limit. */
 float
@@ -36,7 +33,7 @@ SizeConstraint::SizeConstraint(const PointTree& tree, const Spacing& spacing)
 {
   longest_.reserve(spacing.eighth.size());
   for (const double eighth : spacing.eighth)
-    longest_.push_back(floatBelow(reach * eighth));
+    longest_.push_back(floatBelow(edge_in_eighths * eighth));
   const auto [minimum, largest] = std::minmax_element(longest_.begin(), longest_.end());
   minimum_ = *minimum;
   largest_ = *largest;

@@ -126,8 +126,19 @@ usableSquared(const std::vector<float>& found)
   return squared;
 }
 
-/** \brief Measures the spacing of a leaf at two of its points, a quarter from either
+/** \brief The two points of a leaf at which its spacing is measured, a quarter from either
  * end. */
+std::array<std::int32_t, 2>
+measuredPoints(const PointTree& tree, std::size_t leaf)
+{
+  const auto number = static_cast<std::int32_t>(leaf);
+  const std::int32_t first = tree.firstOfLeaf(number),
+                     end = tree.firstOfLeaf(number + 1);
+  const std::int32_t quarter = (end - first) / 4;
+  return {first + quarter, end - 1 - quarter};
+}
+
+/** \brief Measures the spacing of a leaf. */
 template <typename Search>
 void
 measureLeaf(const PointTree& tree,
@@ -135,12 +146,9 @@ measureLeaf(const PointTree& tree,
             const Search& search,
             Spacing& spacing)
 {
-  const auto number = static_cast<std::int32_t>(leaf);
-  const std::int32_t first_point = tree.firstOfLeaf(number);
-  const std::int32_t end_point = tree.firstOfLeaf(number + 1);
-  const std::int32_t quarter = (end_point - first_point) / 4;
-  const auto first = search(first_point + quarter);
-  const auto second = search(end_point - 1 - quarter);
+  const std::array<std::int32_t, 2> points = measuredPoints(tree, leaf);
+  const auto first = search(points[0]);
+  const auto second = search(points[1]);
   spacing.nearest[leaf] = std::sqrt(std::min(first.front(), second.front()));
   spacing.eighth[leaf] = std::sqrt(std::min(first.back(), second.back()));
 }
@@ -179,6 +187,23 @@ measureSpacing(const PointTree& tree, const NeighbourDistances& neighbours)
       measureLeaf(tree, leaf, look, spacing);
   });
   return spacing;
+}
+
+void
+reachNextRings(const PointTree& tree,
+               const RingGaps& gaps,
+               double edge,
+               Spacing& spacing)
+{
+  constexpr double gaps_of_edge = 1.5;
+  for (std::size_t leaf = 0; leaf < spacing.eighth.size(); ++leaf) {
+    double& eighth = spacing.eighth[leaf];
+    if (edge > 0)
+      eighth = edge / edge_in_eighths;
+    for (const std::int32_t point : measuredPoints(tree, leaf))
+      eighth = std::max(eighth,
+                        gaps_of_edge * gaps.at(tree.position(point)) / edge_in_eighths);
+  }
 }
 
 } // namespace pcl::acmap::ACMAP_DEWALL

@@ -5,6 +5,7 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
 #include <pcl/core/impl/point_view.h>
+#include <pcl/core/sensor_evidence.h>
 
 #include <Eigen/Geometry>
 
@@ -15,6 +16,13 @@
 
 namespace pcl {
 
+/** \brief What a file or the caller states of the sensor of a cloud. \ingroup core */
+enum class SensorStatement {
+  Unstated, ///< the position is a hypothesis where it is the default one
+  Stated,   ///< the position is the sensor's, whatever the points say
+  NoSensor  ///< no single sensor measured the cloud
+};
+
 /** \brief A point cloud that was read from a file. \ingroup core */
 struct PointCloudFile {
   /** \brief The points with all their scalar fields. The fields x, y, z are adjacent
@@ -24,12 +32,16 @@ struct PointCloudFile {
    * `is_dense` is 0. */
   PCLPointCloud2 cloud;
 
-  /** \brief Sensor pose (VIEWPOINT of a PCD; identity for formats without a pose). */
+  /** \brief Sensor pose (VIEWPOINT of a PCD; identity for formats without a pose). The identity
+   * is what PCL writes if nothing is known: see \ref sensor_statement. */
   Eigen::Vector3f sensor_origin = Eigen::Vector3f::Zero();
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
 
-  /** \brief Up direction of the frame, of length 1, if nothing else is known of the sensor:
-   * formats of surveys have heights, but no pose (LAS: z). */
+  /** \brief Is the sensor position stated? A pose other than the identity is, too. */
+  SensorStatement sensor_statement = SensorStatement::Unstated;
+
+  /** \brief Up direction of the frame, of length 1, if it is known: formats of surveys have
+   * heights (LAS: z). */
   std::optional<Eigen::Vector3f> up;
 
   /** \brief Positions of the sensor that an int32 field `view` refers to, in the frame of
@@ -90,12 +102,11 @@ sharedCloud(const std::shared_ptr<const PointCloudFile>& file)
   return {file, &file->cloud};
 }
 
-/** \brief Position of the sensor of a cloud; none if it is not known. */
-inline std::optional<Eigen::Vector3f>
-sensorOf(const PointCloudFile& file)
-{
-  return file.up ? std::nullopt : std::make_optional(file.sensor_origin);
-}
+/** \brief Is \ref PointCloudFile::sensor_origin the sensor of a cloud? It is if the file or the
+ * caller states it; otherwise the points are asked (\ref assessSensor).
+ * \param[in] rows points of the file */
+ACMAP_EXPORT SensorEvidence
+sensorEvidence(const CloudRows& rows, const PointCloudFile& file);
 
 /** \brief Reads a cloud and multiplies its lengths by a factor.
  * \param[in] path the file

@@ -9,6 +9,7 @@
 #include <pcl/core/recess_patch.h>
 #include <pcl/core/report.h>
 #include <pcl/core/scratch_memory.h>
+#include <pcl/core/sensor_evidence.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/features/voting_types.h>
 #include <pcl/filters/consolidation_types.h>
@@ -73,8 +74,7 @@ struct MappedPlanes {
   Eigen::Vector3f sensor_origin = Eigen::Vector3f::Zero();
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
 
-  /** \brief Up direction of the input (\ref PointCloudFile::up); if it is set, the sensor is
-   * not known. */
+  /** \brief Up direction of the input (\ref PointCloudFile::up), if it is known. */
   std::optional<Eigen::Vector3f> up;
 
   /** \brief Columns, pipes and curved walls, in the order of decreasing area, if
@@ -99,6 +99,7 @@ struct MappedPlanes {
 struct PlaneMappingReport : Report {
   MappingMode mode = MappingMode::Accurate; ///< as \ref PlaneMapping::setMode set it
   std::size_t consolidated_points = 0; ///< on which planes were found; 0: on raw points
+  std::optional<SensorEvidence> sensor;  ///< of a cloud in space without `view`
   std::optional<NoiseScale> noise_scale; ///< of a cloud in space
   std::optional<ConsolidationReport> consolidation;
   std::optional<DepthPlaneReport> depth_planes; ///< if planes were found in a picture
@@ -118,6 +119,7 @@ visitFields(const PlaneMappingReport& report, Visitor&& visit)
 {
   visit({"mode"}, acmap::Named{report.mode, acmap::mapping_mode_names});
   visit({"consolidated_points"}, report.consolidated_points);
+  visit({"sensor"}, report.sensor);
   visit({"noise_scale"}, report.noise_scale);
   visit({"consolidation"}, report.consolidation);
   visit({"depth_planes"}, report.depth_planes);

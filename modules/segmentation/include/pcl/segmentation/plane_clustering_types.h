@@ -22,6 +22,9 @@ struct PlaneClusteringReport : Report {
   std::size_t refuted_regions = 0; ///< not confirmed by the source
   std::size_t merged = 0;          ///< regions that were merged into another plane
 
+  std::size_t turned_planes = 0; ///< to their sensors; the mesh faced away from these
+  std::size_t planes_through_sensor = 0; ///< rings of a scanner, removed
+
   /** \brief Number of boundaries that kept the corners of the evidence, because their
    * straightened edges would cross. */
   std::size_t contour_outlines = 0;
@@ -51,6 +54,8 @@ visitFields(const PlaneClusteringReport& report, Visitor&& visit)
   visit({"points_on_curved"}, report.points_on_curved);
   visit({"refuted_regions"}, report.refuted_regions);
   visit({"merged"}, report.merged);
+  visit({"turned_planes"}, report.turned_planes);
+  visit({"planes_through_sensor"}, report.planes_through_sensor);
   visit({"contour_outlines"}, report.contour_outlines);
   visit({"regular_planes"}, report.regular_planes);
   visit({"largest_turn", "rad"}, report.largest_turn);

@@ -95,6 +95,21 @@ public:
     return settings_.compute_wall_depth;
   }
 
+  /** \brief Requests that surfaces face outward, off what they enclose (default false): for
+   * objects that were seen from all sides. The sensor, the normals and the up direction are
+   * then not used. Without it and without all of these, closed surfaces of up to 3 m do. */
+  void
+  setOutward(bool outward)
+  {
+    settings_.outward = outward;
+  }
+
+  bool
+  getOutward() const
+  {
+    return settings_.outward;
+  }
+
   /** \brief Sets the maximum memory of reconstruct (), without its input, in bytes (0 =
    * no limit, default). A cloud for which the estimate exceeds it is rejected. */
   void
@@ -221,9 +236,20 @@ public:
   }
 
   /** \brief Sets the position of the sensor, which PCLPointCloud2 does not have, in metres
-   * (default: the origin). \throws BadArgumentException when it is not finite */
+   * (default: the origin, if the points prove it, see \ref acmap::assessSensor). \throws BadArgumentException when it is not finite */
   void
   setSensorOrigin(const Eigen::Vector3f& origin);
+
+  /** \brief Sets the scan from which the cloud was consolidated, all of whose points the sensor
+   * measured. If its beams were in rings, automatic edges reach from ring to ring.
+   * \param[in] scan it is kept; null: none (default)
+   * \param[in] edge the longest automatic edge elsewhere, metres */
+  void
+  setScan(const CloudRows& scan, double edge)
+  {
+    scan_ = scan;
+    scan_edge_ = edge;
+  }
 
   /** \brief Triangulates the input cloud.
    * \param[out] mesh index triples into the input cloud; if no triangle is possible, it is
@@ -238,6 +264,9 @@ public:
 private:
   CloudRows rows_;
   Eigen::Vector3f sensor_origin_ = Eigen::Vector3f::Zero();
+  bool is_sensor_stated_ = false;
+  CloudRows scan_;
+  double scan_edge_ = 0;
 };
 
 // PCL has no search trees compiled for our point types, and MeshConstruction names them

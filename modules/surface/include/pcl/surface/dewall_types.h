@@ -3,7 +3,9 @@
 #include <pcl/core/export.h>
 #include <pcl/core/fields.h>
 #include <pcl/core/report.h>
+#include <pcl/core/sensor_evidence.h>
 
+#include <array>
 #include <cstddef>
 
 namespace pcl {
@@ -22,6 +24,23 @@ enum class DeWallRule {
   Strict
 };
 
+/** \brief What the faces of a mesh look at. \ingroup surface */
+enum class DeWallSides {
+  Sensor,      ///< the sensor, which is known
+  Normals,     ///< where the normals of the points point
+  FreeSpace,   ///< the free space, by the up direction
+  Outward,     ///< off what they enclose
+  Undetermined ///< most of each component looks at the origin, which is perhaps no sensor
+};
+
+namespace acmap {
+
+/** \brief The names of \ref DeWallSides in files and in Python. */
+inline constexpr std::array<const char*, 5> dewall_sides_names{
+    "sensor", "normals", "free_space", "outward", "undetermined"};
+
+} // namespace acmap
+
 /** \brief Report of the last run of \ref DeWallTriangulation. \ingroup surface */
 struct DeWallReport : Report {
   std::size_t points = 0;           ///< points (or indices) given
@@ -37,6 +56,8 @@ struct DeWallReport : Report {
   std::size_t components = 0;      ///< connected by edges of triangles
   std::size_t refused_moebius = 0; ///< triangles rejected for orientability
   std::size_t removed_fans = 0;    ///< triangles removed for one fan per vertex
+  DeWallSides sides = DeWallSides::Undetermined;
+  SensorEvidence sensor;           ///< unless the points have normals
   double median_spacing = 0;       ///< metres, between neighbouring points
   double min_maximum_edge = 0;     ///< metres, minimum of the size constraint
   double largest_maximum_edge = 0; ///< metres, maximum of the size constraint
@@ -60,6 +81,8 @@ visitFields(const DeWallReport& report, Visitor&& visit)
   visit({"components"}, report.components);
   visit({"refused_moebius"}, report.refused_moebius);
   visit({"removed_fans"}, report.removed_fans);
+  visit({"sides"}, acmap::Named{report.sides, acmap::dewall_sides_names});
+  visit({"sensor"}, report.sensor);
   visit({"median_spacing", "m"}, report.median_spacing);
   visit({"least_maximum_edge", "m"}, report.min_maximum_edge);
   visit({"largest_maximum_edge", "m"}, report.largest_maximum_edge);

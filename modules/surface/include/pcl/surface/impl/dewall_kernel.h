@@ -3,6 +3,7 @@
 #include <pcl/core/export.h>
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/progress.h>
+#include <pcl/core/sensor_evidence.h>
 #include <pcl/core/triangle_mesh.h>
 #include <pcl/surface/dewall_types.h>
 
@@ -29,6 +30,8 @@ struct DeWallSettings {
   /** Unit vector; if set, no sensor is known, and surfaces face their free space. */
   std::optional<Eigen::Vector3d> up;
 
+  bool outward = false; ///< no sensor is known, and surfaces face outward
+
   /** Halves with at most this number of points are not divided further; 0: 65536, with
    * Strict 1. The mesh depends on this number, so it must not depend on anything else,
    * such as the number of threads. */
@@ -40,6 +43,14 @@ struct DeWallInput {
   PointView points;
   Eigen::Vector3d sensor_origin = Eigen::Vector3d::Zero();
   bool is_single_view = false; ///< all points were measured from there
+  SensorEvidence sensor = {};  ///< is it the sensor's position?
+
+  /** The points that the sensor measured, perhaps in rings, of which the points are a part or a
+   * consolidation; empty: no rings. Automatic edges reach to the next ring. */
+  PointView scan = {};
+
+  /** Metres; where the rings are closer, the longest edge; 0: by the spacing. */
+  double scan_edge = 0;
 
   /** Unit normals of the array under the points, towards the side from which they were
    * measured; empty: unknown. */
@@ -61,13 +72,12 @@ triangulateDeWall(const DeWallInput& input,
                   const Progress& progress,
                   DeWallReport& report);
 
-/** \brief Are the points the pixels of one camera at \a origin, row by row?
- *
- * The rays to a pixel, its right and its lower neighbour form a triple of the same
- * handedness in the entire image, for any depths; up to 1 % of exceptions are accepted.
- * The test fails for a cloud that was transformed after it was taken.
- * \param[in] width pixels per row \ingroup surface */
-ACMAP_EXPORT bool
-isSingleView(const PointView& view, std::size_t width, const Eigen::Vector3d& origin);
+/** \brief Sets \ref DeWallInput::sensor and \ref DeWallInput::is_single_view of points with an
+ * origin. Points with normals are not asked unless they are a picture.
+ * \param[in] width pixels per row; 0: unorganized
+ * \param[in] is_stated is the origin the sensor's position, whatever the points say?
+ * \ingroup surface */
+ACMAP_EXPORT void
+takeSensor(std::size_t width, bool is_stated, DeWallInput& input);
 
 } // namespace pcl::acmap

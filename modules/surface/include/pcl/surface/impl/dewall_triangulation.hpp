@@ -28,10 +28,10 @@ DeWallTriangulation<PointInT>::reconstruct(TriangleMesh& mesh)
   input.points = acmap::pointsOf(*input_, indices_.get());
   input.sensor_origin =
       input_->sensor_origin_.template head<3>().template cast<double>();
-  input.is_single_view =
-      input_->isOrganized() && indices_->size() == input_->size() &&
-      acmap::isSingleView(input.points, input_->width, input.sensor_origin);
   input.normals = acmap::normalsOf(*input_);
+  const bool is_picture = input_->isOrganized() && indices_->size() == input_->size();
+  acmap::takeSensor(
+      is_picture ? input_->width : 0, !input.sensor_origin.isZero(0), input);
   input.neighbours = givenSearch();
   input.threads = threads_;
   DeWallReport report;
