@@ -200,6 +200,32 @@ rectangles(const KnownPlanes& known, std::size_t own, const CreaseSnap& snap)
 
 } // namespace
 
+namespace {
+
+double
+areaOf(const Triangles& triangles, const PointView& points)
+{
+  double area = 0;
+  for (const TriangleMesh::Triangle& t : triangles) {
+    const auto corner = [&](std::size_t k) -> Eigen::Vector3d {
+      return points[static_cast<std::size_t>(t[k])].cast<double>();
+    };
+    area += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
+  }
+  return area;
+}
+
+double
+areaOf(const std::vector<Loop>& loops)
+{
+  double area = 0;
+  for (const Loop& loop : loops)
+    area += std::abs(signedArea(loop));
+  return area;
+}
+
+} // namespace
+
 MeshOutlines::MeshOutlines(const TriangleMesh::Triangles& triangles,
                            const std::vector<bool>& is_wanted,
                            const KnownPlanes& known)
@@ -222,8 +248,15 @@ MeshOutlines::outline(std::size_t plane, PlanePatch& patch) const
                 4 * spacing * spacing,
                 spacing,
                 patch);
-  if (patch.polygons.empty())
-    setPolygons(rectangles(known_, plane, snap), 0, spacing, patch);
+  if (!patch.polygons.empty())
+    return;
+  // A rectangle may not claim what lies between the points of a ring or of a few lines,
+  // unless it is narrow.
+  constexpr double most_of_triangles = 2, narrow = 5; // spacings
+  const std::vector<Loop> loops = rectangles(known_, plane, snap);
+  if (2 * own.half_size.y() <= narrow * spacing ||
+      areaOf(loops) <= most_of_triangles * areaOf(of_planes_[plane], known_.points))
+    setPolygons(loops, 0, spacing, patch);
 }
 
 } // namespace outlines
