@@ -72,8 +72,10 @@ addTextureOptions(Tool& tool, TextureOptions& options)
             stage,
             &Texturing::setTexelSize,
             &Texturing::getTexelSize,
-            "Edge of a texel, metres",
-            "M");
+            "Edge of a texel, metres [default: 0.02, and for points that are not in an "
+            "image not finer than half their spacing]",
+            "M")
+      ->default_str("");
   addSetter(app,
             "--max-distance",
             stage,

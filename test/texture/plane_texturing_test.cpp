@@ -371,5 +371,53 @@ TEST(PlaneTexturing, SameBytesForAnyThreadsAndAgain)
   }
 }
 
+/** Points on the wall, about \a spacing metres apart. */
+View
+sparseView(double spacing)
+{
+  View view;
+  view.cloud.reset(new PointCloud<PointXYZRGB>);
+  for (double x = -1.45; x < 1.5; x += spacing)
+    for (double y = -1.15; y < 1.2; y += spacing) {
+      PointXYZRGB point;
+      point.r = 200;
+      point.g = 100;
+      point.b = 50;
+      point.x = static_cast<float>(x + 0.2 * spacing * std::sin(37 * y));
+      point.y = static_cast<float>(y + 0.2 * spacing * std::sin(41 * x));
+      point.z = 3;
+      view.cloud->push_back(point);
+    }
+  return view;
+}
+
+TEST(PlaneTexturing, TexelsAreNoFinerThanHalfTheSpacingOfPoints)
+{
+  for (const double spacing : {0.01, 0.1, 0.25}) {
+    const View view = sparseView(spacing);
+    std::vector<PlanePatch> planes = {planesOfWallAndFloor().front()};
+    planes.front().support = view.cloud->size();
+    planes.front().area = 3 * 2.4;
+    Texturing texturing = texturingOf(planes, {view});
+    const TexturingReport report = reportOf(texturing);
+    EXPECT_GE(report.texel_size, std::max(0.02, 0.5 * spacing));
+    EXPECT_LE(report.texel_size, std::max(0.02, 0.7 * spacing));
+    EXPECT_GT(report.seen + report.filled, report.texels * 9 / 10) << spacing;
+    EXPECT_EQ(report.remarks.empty(), spacing < 0.04) << "it is told";
+    texturing.setTexelSize(0.05);
+    EXPECT_EQ(reportOf(texturing).texel_size, 0.05);
+  }
+}
+
+TEST(PlaneTexturing, TexelsOfImagesAreAsFineAsUsualHoweverFewPointsAPlaneHas)
+{
+  std::vector<PlanePatch> planes = planesOfWallAndFloor();
+  for (PlanePatch& plane : planes) {
+    plane.support = 30;
+    plane.area = 6;
+  }
+  EXPECT_EQ(reportOf(texturingOf(planes, views())).texel_size, 0.02);
+}
+
 } // namespace
 } // namespace pcl::acmap::test

@@ -315,6 +315,23 @@ runPlanes(ChainState& state,
   timer.finish("planes");
 }
 
+/** Sets an automatic texel size to that of the first observation: all ranks paint pictures of
+ * the same size. */
+void
+agreeOnTexelSize(const ObservationSequence& observations,
+                 bool skip_broken,
+                 PlaneTexturing<PointXYZRGB>& texturing)
+{
+  if (texturing.getTexelSize() > 0 || texturing.getPaperMode())
+    return;
+  std::optional<TexturedObservation> first;
+  for (std::size_t i = 0; i < observations.size() && !first; ++i)
+    first = loadTextured(observations, i, skip_broken);
+  if (first)
+    texturing.setTexelSize(
+        automaticTexelSize(texturing.getPlanes(), viewOfObservation(*first)));
+}
+
 /** II-C */
 void
 runTexturing(ChainState& state,
@@ -334,6 +351,8 @@ runTexturing(ChainState& state,
   texturing.setCylinders(found.cylinders);
   texturing.clearObservations();
   CompactMap& map = state.map;
+  if (state.observations && state.work)
+    agreeOnTexelSize(*state.observations, settings.skip_broken, texturing);
   if (state.observations)
     addObservations(
         state.work.get(),

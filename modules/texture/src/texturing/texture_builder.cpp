@@ -103,11 +103,18 @@ joinSamples(const Canvas::Samples& samples,
 
 } // namespace
 
+namespace {
+
+constexpr double usual_texel_size = 0.02; // metres
+
+} // namespace
+
 struct TextureBuilder::State {
   std::vector<PlanePatch> planes;
   std::vector<CylinderPatch> cylinders;
   TexturingSettings settings;
-  double texel_size = 0; ///< metres; the one of the settings, or a larger one
+  double wanted_texel_size = 0; ///< metres; 0: there are no canvases yet
+  double texel_size = 0;        ///< metres; the wanted one, or a larger one
   std::vector<Canvas> canvases;
   IntensityGreys greys;
   Counts counts;
@@ -123,17 +130,45 @@ TextureBuilder::TextureBuilder(const std::vector<PlanePatch>& planes,
   state_->planes = planes;
   state_->cylinders = cylinders;
   state_->settings = settings;
-  state_->texel_size = legalTexelSize(planes, cylinders, settings.texel_size);
-  state_->canvases = canvasesOf(planes,
-                                cylinders,
-                                state_->texel_size,
-                                settings.maximum_texture_size,
-                                state_->left_out);
-  for (Canvas& canvas : state_->canvases)
-    if (settings.paper)
+  if (settings.texel_size > 0)
+    prepare(settings.texel_size);
+}
+
+void
+TextureBuilder::prepare(double automatic_texel_size) const
+{
+  State& state = *state_;
+  if (state.wanted_texel_size > 0)
+    return;
+  state.wanted_texel_size = automatic_texel_size;
+  state.texel_size =
+      legalTexelSize(state.planes, state.cylinders, state.wanted_texel_size);
+  state.canvases = canvasesOf(state.planes,
+                              state.cylinders,
+                              state.texel_size,
+                              state.settings.maximum_texture_size,
+                              state.left_out);
+  for (Canvas& canvas : state.canvases)
+    if (state.settings.paper)
       canvas.points.resize(canvas.mask.size());
     else
       canvas.samples.resize(canvas.mask.size());
+}
+
+double
+automaticTexelSize(const std::vector<PlanePatch>& planes, const ColoredView& view)
+{
+  constexpr double coarsest = 10;
+  if (fitUprightPinhole(view.points, static_cast<std::size_t>(view.width)))
+    return usual_texel_size;
+  double area = 0, support = 0;
+  for (const PlanePatch& plane : planes) {
+    area += plane.area;
+    support += static_cast<double>(plane.support);
+  }
+  const double spacing = support > 0 ? std::sqrt(area / support) : 0;
+  return spacing < 2 * coarsest ? std::max(usual_texel_size, spacing / 2)
+                                : usual_texel_size;
 }
 
 double
@@ -146,8 +181,10 @@ texturingMemory(const std::vector<PlanePatch>& planes,
   const std::size_t of_work =
       settings.paper ? sizeof(PointColors) : sizeof(Canvas::Samples);
   const std::size_t in_work = is_in_files ? 0 : of_work + sizeof(TexelPlace);
-  const double texels = canvasTexels(
-      planes, cylinders, legalTexelSize(planes, cylinders, settings.texel_size));
+  const double wanted =
+      settings.texel_size > 0 ? settings.texel_size : usual_texel_size;
+  const double texels =
+      canvasTexels(planes, cylinders, legalTexelSize(planes, cylinders, wanted));
   return texels * static_cast<double>(in_work + finished);
 }
 
@@ -162,6 +199,9 @@ TextureBuilder::add(const ColoredView& given)
     view.width = 0;
     view.has_eye = false;
   }
+  if (state.wanted_texel_size == 0)
+    prepare(state.settings.paper ? usual_texel_size
+                                 : automaticTexelSize(state.planes, view));
   const auto number = static_cast<std::int32_t>(state.counts.views++);
   std::size_t finite = 0;
   for (std::size_t i = 0; i < view.points.size(); ++i)
@@ -208,6 +248,7 @@ void
 TextureBuilder::sendTo(const Trajectory& trajectory,
                        const std::function<void(const ByteParcel&)>& send) const
 {
+  prepare(usual_texel_size);
   ByteParcel head;
   head.put(PaintedPart::Counts);
   head.put(state_->counts);
@@ -227,6 +268,7 @@ TextureBuilder::sendTo(const Trajectory& trajectory,
 void
 TextureBuilder::join(ByteParcel& parcel, Trajectory& trajectory)
 {
+  prepare(usual_texel_size);
   State& state = *state_;
   const auto part = parcel.take<PaintedPart>();
   if (part == PaintedPart::Counts) {
@@ -314,9 +356,13 @@ takePictures(const std::vector<Canvas>& canvases, CompactMap& map)
   return pictures;
 }
 
-/** \param[in] texel_size that was set, metres */
+/** \param[in] texel_size that was wanted, metres
+ * \param[in] is_automatic was it not set? */
 void
-remark(std::size_t left_out, double texel_size, TexturingReport& report)
+remark(std::size_t left_out,
+       double texel_size,
+       bool is_automatic,
+       TexturingReport& report)
 {
   if (report.texel_size > texel_size) {
     char text[128];
@@ -326,6 +372,14 @@ remark(std::size_t left_out, double texel_size, TexturingReport& report)
                   "have %.3g mm",
                   1000 * texel_size,
                   1000 * report.texel_size);
+    report.remarks.emplace_back(text);
+  }
+  if (is_automatic && texel_size > usual_texel_size) {
+    char text[128];
+    std::snprintf(text,
+                  sizeof text,
+                  "texels of %.3g mm, half the spacing of the points",
+                  1000 * texel_size);
     report.remarks.emplace_back(text);
   }
   if (left_out > 0)
@@ -352,6 +406,7 @@ remark(std::size_t left_out, double texel_size, TexturingReport& report)
 CompactMap
 TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
 {
+  prepare(usual_texel_size);
   const State& state = *state_;
   return withThreads(state.settings.threads, [&] {
     report = {};
@@ -391,7 +446,10 @@ TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
       count(state.canvases[c], *pictures[c], report);
     map.exposure = displayExposure(map);
     timer.finish("blending");
-    remark(state.left_out, state.settings.texel_size, report);
+    remark(state.left_out,
+           state.wanted_texel_size,
+           state.settings.texel_size == 0,
+           report);
     progress.tell(1.0, "done");
     return map;
   });

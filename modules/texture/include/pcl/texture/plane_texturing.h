@@ -142,10 +142,11 @@ public:
     return settings_.paper;
   }
 
-  /** \brief Sets the edge length of a texel (default 0.02 m). Up to sixteen times
-   * as large ones are taken, with a remark, where the charts would have more than 50
+  /** \brief Sets the edge length of a texel (default 0: automatic, 0.02 m, but not finer than
+   * half the spacing of points that are not in an image, acmap::automaticTexelSize; in paper
+   * mode 0.02 m). Up to sixteen times as large ones are taken, with a remark, where the charts would have more than 50
    * million, which the pages of a map hold.
-   * \throws BadArgumentException unless within [1e-4, 10] m */
+   * \throws BadArgumentException unless within [1e-4, 10] m, or 0 */
   void
   setTexelSize(double metres);
 

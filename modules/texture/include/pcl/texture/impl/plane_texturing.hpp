@@ -64,7 +64,8 @@ template <typename PointT>
 void
 PlaneTexturing<PointT>::setTexelSize(double metres)
 {
-  acmap::requireInRange("texel size", metres, 1e-4, 10, "m");
+  if (metres != 0)
+    acmap::requireInRange("texel size", metres, 1e-4, 10, "m, or 0 (automatic)");
   settings_.texel_size = metres;
 }
 

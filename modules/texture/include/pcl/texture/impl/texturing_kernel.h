@@ -17,7 +17,7 @@ namespace pcl::acmap {
 
 /** \brief Settings of PlaneTexturing. Lengths in metres. \ingroup texture */
 struct TexturingSettings {
-  double texel_size = 0.02;
+  double texel_size = 0;           ///< 0: automatic, see \ref automaticTexelSize
   double maximum_distance = 0.3;   ///< from a point to the plane it colours
   int maximum_texture_size = 4088; ///< texels per side; larger polygons are tiled
   int fill_distance = 5;           ///< texels; how far holes are filled
@@ -56,6 +56,16 @@ struct ColoredView {
  * \throws InitFailedException if it has no coordinates \ingroup texture */
 ACMAP_EXPORT ColoredView
 viewOfObservation(const TexturedObservation& observation);
+
+/** \brief The edge of a texel where none is set, metres: 0.02, but for the points of a view that
+ * is no image not finer than half their spacing, or most texels would get no colour.
+ *
+ * The spacing is that of the points from which the planes were fitted, on the average of all
+ * planes. In an image each texel gets the colour of a pixel, however far apart the points are
+ * that have a depth.
+ * \param[in] view the first one that colours them */
+ACMAP_EXPORT double
+automaticTexelSize(const std::vector<PlanePatch>& planes, const ColoredView& view);
 
 /** \brief Estimates the memory in bytes for texturing these surfaces with any number of
  * views. */
@@ -100,6 +110,11 @@ public:
 
 private:
   struct State;
+
+  /** \brief Makes the canvases, whose texels may have the size for a first view. */
+  void
+  prepare(double automatic_texel_size) const;
+
   std::unique_ptr<State> state_;
 };
 
