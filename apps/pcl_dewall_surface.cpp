@@ -181,6 +181,13 @@ summarize(const Options& options, const pcl::DeWallReport& report, StageLog& log
           percent(report.used_points,
                   report.points - report.invalid_points - report.duplicate_points) +
           " of the finite, different ones)");
+  if (report.sides == pcl::DeWallSides::Undetermined)
+    log.tell(
+        "sides",
+        "undetermined: no sensor is stated, and the points do not prove one at the "
+        "origin; --outward is for objects seen from all sides");
+  if (report.sides == pcl::DeWallSides::Outward && !options.dewall.getOutward())
+    log.tell("sides", "outward: no sensor is known, and the surface is closed");
   log.tell("triangles", std::to_string(report.triangles));
   log.tell("components", std::to_string(report.components));
   if (options.dewall.getAcceptanceRule() == pcl::DeWallRule::Strict)

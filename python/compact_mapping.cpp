@@ -180,7 +180,8 @@ regular    turns planes to be parallel or upright to larger ones, where their un
 primitives finds cylinders, too: columns, pipes and curved walls, which replace the planes
            that they describe in fewer bits; and boxes and recesses such as closed doors,
            whose sides and leaves stay planes; by default not with paper
-texel_size metres, the edge of a texel of the textures
+texel_size metres, the edge of a texel of the textures; 0: 0.02, and for points that are in
+           no image not finer than half their spacing
 up         three numbers, the up direction in the frame of the poses; None: found by floors
            and walls, see report.levelling. The map is turned level where it is rectified,
            except with paper; CompactMap.up is its own up direction

@@ -281,11 +281,12 @@ paint(const std::vector<double>& exposures)
   static const std::vector<PlanePatch> planes = findPlanes();
   const SimulatedScene& scene = corridor().scene();
   const Trajectory& trajectory = corridor().whole().merged.trajectory;
+  constexpr double texel_size = 0.02;
   const TexturingSettings settings;
   Painted painted;
   std::size_t left_out = 0;
   painted.canvases = texturing::canvasesOf(
-      planes, {}, settings.texel_size, settings.maximum_texture_size, left_out);
+      planes, {}, texel_size, settings.maximum_texture_size, left_out);
   for (texturing::Canvas& canvas : painted.canvases)
     canvas.samples.resize(canvas.mask.size());
   for (std::size_t v = 0; v < trajectory.poses.size(); ++v) {

@@ -76,10 +76,10 @@ struct PlaneTexturingTraits : CommonTraits<PlaneTexturing<PointXYZRGB>> {
   static Calls
   refusedCalls()
   {
+    Calls calls;
+    refuse(calls, &Class::setTexelSize, nonsense, {"texel size", "[0.0001,", " m"});
     std::vector<double> values = nonsense;
     values.push_back(0);
-    Calls calls;
-    refuse(calls, &Class::setTexelSize, values, {"texel size", "[0.0001,", " m"});
     refuse(calls, &Class::setMaximumDistance, values, {"distance", "[1e-06,", " m"});
     const std::vector<int> counts{-1, 70000};
     refuse(calls,

@@ -15,7 +15,7 @@ namespace {
 /** What the tests ask of the planes of a scan. */
 struct Judgement {
   double area = 0, facing = 0; ///< square metres, of all outlines
-  std::size_t unsupported =
+  double unsupported =
       0; ///< planes whose outline is more than twice their triangles
   std::size_t through_sensor = 0;
 };
@@ -46,8 +46,7 @@ judge(const MappedPlanes& found)
     const PlanePatch& plane = found.planes[p];
     result.area += plane.area;
     result.facing += plane.coefficients[3] > 0 ? plane.area : 0;
-    constexpr double speck = 0.05;
-    result.unsupported += plane.area > 2 * triangles[p] + speck ? 1 : 0;
+    result.unsupported += plane.area > 2 * triangles[p] ? plane.area : 0;
     result.through_sensor += std::abs(plane.coefficients[3]) < 0.01 ? 1 : 0;
   }
   return result;
@@ -100,7 +99,7 @@ TEST(MultibeamScan, facesItsSensorAndClaimsNothingBetweenRings)
       const Judgement judged = judge(found);
       EXPECT_GE(found.planes.size(), 5U) << beams << " " << noise;
       EXPECT_GT(judged.facing, 0.99 * judged.area) << beams << " " << noise;
-      EXPECT_EQ(judged.unsupported, 0U) << beams << " " << noise;
+      EXPECT_LT(judged.unsupported, 0.005 * judged.area) << beams << " " << noise;
       EXPECT_EQ(judged.through_sensor, 0U) << beams << " " << noise;
     }
 }
@@ -137,7 +136,7 @@ TEST(MultibeamScan, isProvedInRealScans)
     const Judgement judged = judge(found);
     EXPECT_GE(found.planes.size(), 4U) << name;
     EXPECT_GE(judged.facing, 0.99 * judged.area) << name;
-    EXPECT_EQ(judged.unsupported, 0U) << name;
+    EXPECT_LT(judged.unsupported, 0.001 * judged.area) << name;
     EXPECT_EQ(judged.through_sensor, 0U) << name;
   }
 }

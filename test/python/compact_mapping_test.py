@@ -320,7 +320,7 @@ class Settings(MapTest):
             ("sensor", "kinect"),
             ("voxel_size", -0.1),
             ("min_area", numpy.nan),
-            ("texel_size", 0),
+            ("texel_size", 20),
         ):
             with self.subTest(key), self.assertRaisesRegex(ValueError, f"^{key}.* is refused: "):
                 acmap.CompactMapping(**{key: value})

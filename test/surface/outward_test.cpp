@@ -64,7 +64,6 @@ TEST(Outward, isAClosedObjectWithoutASensor)
     TriangleMesh mesh;
     dewall.reconstruct(mesh);
     EXPECT_EQ(dewall.getReport().sides, DeWallSides::Outward);
-    EXPECT_FALSE(dewall.getReport().remarks.empty()) << "it is told";
     EXPECT_GT(shareFacingAwayFrom(center, cloud, mesh), 0.999);
   }
 }
@@ -81,7 +80,6 @@ TEST(Outward, isNotWhatMayBeARoomOrIsOpen)
     TriangleMesh mesh;
     dewall.reconstruct(mesh);
     EXPECT_EQ(dewall.getReport().sides, DeWallSides::Undetermined);
-    EXPECT_FALSE(dewall.getReport().remarks.empty()) << "it is told";
   }
 }
 
@@ -100,7 +98,6 @@ TEST(Outward, isWhatIsStated)
     dewall.setOutward(true);
     dewall.reconstruct(mesh);
     EXPECT_EQ(dewall.getReport().sides, DeWallSides::Outward);
-    EXPECT_TRUE(dewall.getReport().remarks.empty());
     EXPECT_GT(shareFacingAwayFrom({1, 1, 0}, cloud, mesh), 0.999);
   }
 }

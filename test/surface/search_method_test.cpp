@@ -103,7 +103,7 @@ TEST(DeWallSearchMethod, nonsenseIsSaidAndPassedOver)
        {telling([](Distances& squared) { squared.clear(); }), telling(spoil)}) {
     const DeWallResult result = triangulateWith(search, cloud);
     EXPECT_EQ(result.mesh.triangles, own.mesh.triangles);
-    ASSERT_EQ(result.report.remarks.size(), 1U);
+    ASSERT_EQ(result.report.remarks.size(), own.report.remarks.size() + 1);
     EXPECT_NE(result.report.remarks[0].find("found no neighbour"), std::string::npos);
   }
 }

@@ -202,17 +202,26 @@ rectangles(const KnownPlanes& known, std::size_t own, const CreaseSnap& snap)
 
 namespace {
 
-double
-areaOf(const Triangles& triangles, const PointView& points)
+/** For each plane the area of the faces that have two or three corners on it. */
+std::vector<double>
+areasOfPlanes(const Triangles& triangles, const KnownPlanes& known)
 {
-  double area = 0;
+  std::vector<double> areas(known.planes.size(), 0.0);
   for (const TriangleMesh::Triangle& t : triangles) {
-    const auto corner = [&](std::size_t k) -> Eigen::Vector3d {
-      return points[static_cast<std::size_t>(t[k])].cast<double>();
+    const auto label = [&](std::size_t k) {
+      return known.labels[static_cast<std::size_t>(t[k])];
     };
-    area += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
+    const std::int32_t plane =
+        label(0) == label(1) || label(0) == label(2) ? label(0) : label(1);
+    if (plane < 0 || (plane != label(0) && plane != label(2)))
+      continue;
+    const auto corner = [&](std::size_t k) -> Eigen::Vector3d {
+      return known.points[static_cast<std::size_t>(t[k])].cast<double>();
+    };
+    areas[static_cast<std::size_t>(plane)] +=
+        (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
   }
-  return area;
+  return areas;
 }
 
 double
@@ -235,6 +244,7 @@ MeshOutlines::MeshOutlines(const TriangleMesh::Triangles& triangles,
     return;
   grid_.emplace(known, known.spacing, 0, pointsNear(is_wanted, known));
   of_planes_ = trianglesOfPlanes(triangles, is_wanted, known);
+  seen_areas_ = areasOfPlanes(triangles, known);
 }
 
 void
@@ -250,12 +260,9 @@ MeshOutlines::outline(std::size_t plane, PlanePatch& patch) const
                 patch);
   if (!patch.polygons.empty())
     return;
-  // A rectangle may not claim what lies between the points of a ring or of a few lines,
-  // unless it is narrow.
-  constexpr double most_of_triangles = 2, narrow = 5; // spacings
+  constexpr double most_of_faces = 2;
   const std::vector<Loop> loops = rectangles(known_, plane, snap);
-  if (2 * own.half_size.y() <= narrow * spacing ||
-      areaOf(loops) <= most_of_triangles * areaOf(of_planes_[plane], known_.points))
+  if (areaOf(loops) <= most_of_faces * seen_areas_[plane])
     setPolygons(loops, 0, spacing, patch);
 }
 

@@ -38,7 +38,8 @@ public:
   /** Sets the polygons of a plane that is wanted: the boundaries of its mesh faces, moved onto the
    * intersection lines with its neighbours and simplified with a tolerance of one
    * spacing. Openings are kept. A plane without such a polygon, and a strip, gets
-   * rectangles where its points are.
+   * rectangles where its points are, unless these are more than twice the faces that they
+   * stand for: rings of a scanner enclose what was not seen.
    * \param[in,out] patch of the plane, without polygons; their area is added to its */
   void
   outline(std::size_t plane, PlanePatch& patch) const;
@@ -47,6 +48,8 @@ private:
   const KnownPlanes& known_;
   std::optional<labeling::CandidateGrid> grid_;
   std::vector<TriangleMesh::Triangles> of_planes_;
+  std::vector<double>
+      seen_areas_; ///< of the faces with a side on the plane, square metres
 };
 
 } // namespace outlines

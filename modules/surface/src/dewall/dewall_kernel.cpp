@@ -120,21 +120,6 @@ facingOf(const PointTree& tree,
   return by_normals;
 }
 
-void
-remarkOnSides(const DeWallSettings& settings, DeWallReport& report)
-{
-  if (report.triangles == 0 || settings.outward)
-    return;
-  if (report.sides == DeWallSides::Undetermined)
-    report.remarks.emplace_back("which side of the surface was seen is undetermined: "
-                                "no sensor is stated, and the "
-                                "points do not prove one at the origin");
-  if (report.sides == DeWallSides::Outward)
-    report.remarks.emplace_back(
-        "no sensor is known, and the surface is closed: it faces "
-        "outward, as an object that was seen from all sides");
-}
-
 /** \brief Maximum number of points of a half that is not divided. */
 std::int32_t
 leafSizeOf(const DeWallSettings& settings)
@@ -236,7 +221,6 @@ triangulate(const DeWallInput& input,
                 tree, size, facing, input.sensor_origin, settings, tick, timer, report);
   if (result.triangles.empty())
     report.remarks.push_back(whyEmpty(size));
-  remarkOnSides(settings, report);
   progress.tell(1, "orientation");
   return result;
 }

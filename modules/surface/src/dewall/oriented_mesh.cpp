@@ -74,7 +74,28 @@ private:
         shown_.begin(), shown_.end(), 0.0, [](double sum, double of_component) {
           return sum + std::abs(of_component);
         });
-    return enclosed >= closed_share * volume.ofHull();
+    return isClosed(lists) && enclosed >= closed_share * volume.ofHull();
+  }
+
+  /** The area vectors of a closed surface that is turned outward have no sum. */
+  bool
+  isClosed(const std::vector<TriangleList>& lists)
+  {
+    constexpr double open_share = 0.1; // a box without its bottom has 0.2
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double all = 0;
+    PollPace pace;
+    for (const TriangleList& list : lists)
+      for (const GrownTriangle& triangle : *list.triangles) {
+        pace();
+        const Eigen::Vector3d a = tree_.position(triangle.corners[0]),
+                              b = tree_.position(triangle.corners[1]),
+                              c = tree_.position(triangle.corners[2]);
+        const Eigen::Vector3d area = (b - a).cross(c - a);
+        sum += turns(triangle) ? Eigen::Vector3d(-area) : area;
+        all += area.norm();
+      }
+    return sum.norm() <= open_share * all;
   }
 
   /** No sensor that maps a building stands inside of it. */

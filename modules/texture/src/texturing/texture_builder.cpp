@@ -356,13 +356,9 @@ takePictures(const std::vector<Canvas>& canvases, CompactMap& map)
   return pictures;
 }
 
-/** \param[in] texel_size that was wanted, metres
- * \param[in] is_automatic was it not set? */
+/** \param[in] texel_size that was wanted, metres */
 void
-remark(std::size_t left_out,
-       double texel_size,
-       bool is_automatic,
-       TexturingReport& report)
+remark(std::size_t left_out, double texel_size, TexturingReport& report)
 {
   if (report.texel_size > texel_size) {
     char text[128];
@@ -372,14 +368,6 @@ remark(std::size_t left_out,
                   "have %.3g mm",
                   1000 * texel_size,
                   1000 * report.texel_size);
-    report.remarks.emplace_back(text);
-  }
-  if (is_automatic && texel_size > usual_texel_size) {
-    char text[128];
-    std::snprintf(text,
-                  sizeof text,
-                  "texels of %.3g mm, half the spacing of the points",
-                  1000 * texel_size);
     report.remarks.emplace_back(text);
   }
   if (left_out > 0)
@@ -446,10 +434,7 @@ TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
       count(state.canvases[c], *pictures[c], report);
     map.exposure = displayExposure(map);
     timer.finish("blending");
-    remark(state.left_out,
-           state.wanted_texel_size,
-           state.settings.texel_size == 0,
-           report);
+    remark(state.left_out, state.wanted_texel_size, report);
     progress.tell(1.0, "done");
     return map;
   });
