@@ -146,9 +146,8 @@ public:
     // sensors
     const bool turns = !is_consolidated && namesViews();
     vote(turns ? sensors : std::vector<Eigen::Vector3f>(), std::nullopt, result);
-    const bool sensors_fit = !is_consolidated || report_.consolidation->sensors_fit;
     const std::vector<Eigen::Vector3f> known_sensors =
-        sensors_fit ? sensors : std::vector<Eigen::Vector3f>();
+        sensorsFit() ? sensors : std::vector<Eigen::Vector3f>();
     cluster(rows_, known_sensors, result);
     if (!mapping_.getClustering().getNoiseDriven())
       result.labels = labelsOf(result.vertex_labels, vertex_of_point, is_consolidated);
@@ -341,23 +340,35 @@ private:
     finish("triangulate");
   }
 
+  /** Did one sensor measure all points, as these prove? */
+  bool
+  isProved() const
+  {
+    return report_.sensor && report_.sensor->outcome == SensorOutcome::Proved;
+  }
+
+  /** Can the surface have been seen from its sensors? The rays prove it better than the
+   * surface. */
+  bool
+  sensorsFit() const
+  {
+    return !report_.consolidation || report_.consolidation->sensors_fit || isProved();
+  }
+
   /** Are the vertices consolidated from a scan that one sensor measured? */
   bool
   isConsolidatedScan() const
   {
-    return report_.consolidation && report_.sensor &&
-           report_.sensor->outcome == SensorOutcome::Proved;
+    return report_.consolidation && isProved();
   }
 
   template <typename DeWall>
   void
   runDeWall(DeWall& dewall, MappedPlanes& result)
   {
-    const bool sensors_fit =
-        !report_.consolidation || report_.consolidation->sensors_fit;
     const bool has_sensor = report_.sensor && report_.sensor->isKnown();
     if (const auto up = upWithoutSensors(
-            result.vertices, has_sensor ? std::nullopt : file_.up, sensors_fit))
+            result.vertices, has_sensor ? std::nullopt : file_.up, sensorsFit()))
       dewall.setUpDirection(*up);
     constexpr bool takes_scan =
         std::is_same_v<DeWall, DeWallTriangulation<PCLPointCloud2>>;
