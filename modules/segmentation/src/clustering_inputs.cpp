@@ -20,6 +20,7 @@ ClusteringInputs::setSourceCloud(const CloudRows& cloud,
   source_sensors_ = cloud && !viewpoints.empty()
                         ? acmap::sensorsOf(cloud, viewpoints, viewpoints.front())
                         : acmap::SensorView();
+  has_known_sensors_ = source_sensors_.isKnown();
   viewpoints_ = cloud ? viewpoints : std::vector<Eigen::Vector3f>();
 }
 

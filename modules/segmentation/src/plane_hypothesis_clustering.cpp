@@ -63,7 +63,7 @@ PlaneClusteringParameters::cluster(acmap::PlaneHypotheses hypotheses,
   PlaneClusteringReport report;
   acmap::PlaneClusters clusters =
       acmap::clusterPlanes(hypotheses,
-                           {source_points_, source_sensors_},
+                           {source_points_, source_sensors_, has_known_sensors_},
                            settings(),
                            acmap::Progress(progress_),
                            report);

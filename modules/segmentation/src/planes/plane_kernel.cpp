@@ -287,8 +287,10 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     else if (source.points.size() > 0) {
       clusters.source_labels =
           labelPoints(source.points, source.sensors, labeling, progress, known, report);
-      const PlaneSides sides =
-          turnToSensors(source.points, source.sensors, clusters.source_labels, known);
+      PlaneSides sides;
+      if (source.has_known_sensors)
+        sides =
+            turnToSensors(source.points, source.sensors, clusters.source_labels, known);
       report.turned_planes = sides.turned;
       report.planes_through_sensor = sides.removed;
     }

@@ -15,13 +15,15 @@ public:
           const std::vector<TriangleList>& lists,
           PointSets components,
           const Eigen::Vector3d& sensor,
-          DeWallSides& sides)
+          DeWallReport& report)
   : grown_(grown)
   , tree_(grown.arrays().tree)
   , components_(std::move(components))
   , shown_(static_cast<std::size_t>(tree_.size()))
+  , boundary_edges_(report.boundary_edges)
   {
     const Facing& facing = grown.arrays().facing;
+    DeWallSides& sides = report.sides;
     const bool may_be_closed = sides == DeWallSides::Outward ||
                                sides == DeWallSides::FreeSpace ||
                                sides == DeWallSides::Undetermined;
@@ -81,9 +83,11 @@ private:
   bool
   isClosed(const std::vector<TriangleList>& lists)
   {
-    constexpr double open_share = 0.1; // a box without its bottom has 0.2
+    constexpr double open_share = 0.1;       // a box without its bottom has 0.2
+    constexpr std::size_t max_boundary = 33; // triangles an edge: 2 % of the edges
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double all = 0;
+    std::size_t triangles = 0;
     PollPace pace;
     for (const TriangleList& list : lists)
       for (const GrownTriangle& triangle : *list.triangles) {
@@ -94,8 +98,10 @@ private:
         const Eigen::Vector3d area = (b - a).cross(c - a);
         sum += turns(triangle) ? Eigen::Vector3d(-area) : area;
         all += area.norm();
+        ++triangles;
       }
-    return sum.norm() <= open_share * all;
+    return max_boundary * boundary_edges_ <= triangles &&
+           sum.norm() <= open_share * all;
   }
 
   /** No sensor that maps a building stands inside of it. */
@@ -118,6 +124,7 @@ private:
   const PointTree& tree_;
   PointSets components_;
   LargeVector<double> shown_;
+  const std::size_t boundary_edges_;
 };
 
 } // namespace
@@ -160,7 +167,7 @@ orientedMesh(GrowingMesh& grown,
   const PointTree& tree = grown.arrays().tree;
   const std::size_t unused = static_cast<std::size_t>(tree.size()) - report.used_points;
   report.components = components.count() - unused; // each of which is a set
-  Turning turning(grown, lists, std::move(components), sensor_origin, report.sides);
+  Turning turning(grown, lists, std::move(components), sensor_origin, report);
   for (const TriangleList& list : lists)
     report.triangles += list.triangles->size();
   report.edges = (3 * report.triangles + report.boundary_edges) / 2;

@@ -110,6 +110,7 @@ protected:
   TriangleMesh::Triangles triangles_;
   acmap::PointView source_points_;
   acmap::SensorView source_sensors_;
+  bool has_known_sensors_ = false; ///< of the source
   PointLabels source_labels_;
 
 private:
@@ -136,6 +137,9 @@ ClusteringInputs::setSourceCloud(
   source_sensors_ =
       is_empty ? acmap::SensorView() : acmap::sensorsOf(*cloud, viewpoints);
   viewpoints_ = is_empty ? std::vector<Eigen::Vector3f>() : viewpoints;
+  has_known_sensors_ =
+      !is_empty &&
+      (acmap::has_view<SourceT> || !cloud->sensor_origin_.template head<3>().isZero(0));
   if (!is_empty && !acmap::has_view<SourceT>)
     viewpoints_ = {cloud->sensor_origin_.template head<3>()};
 }

@@ -72,6 +72,9 @@ unitNormals(const PointView& normals);
 struct PlaneSource {
   PointView points;
   SensorView sensors;
+  /** \brief Are the sensors known, so that planes are turned to them? The default origin of a
+   * point cloud is only a hypothesis. */
+  bool has_known_sensors = false;
 };
 
 struct PlaneClusters {
