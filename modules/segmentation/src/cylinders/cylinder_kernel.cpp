@@ -115,6 +115,7 @@ rawCloudOf(const PointView& points,
   const NoiseScale scale =
       known_scale ? *known_scale : measureNoiseScale(points, sensors);
   cloud.spacing = scale.spacing;
+  cloud.is_along_rays = isAlongRays(cloud);
   if (sigma > 0)
     return cloud;
   const double measured = noiseOnPlanes(cloud);
@@ -198,6 +199,60 @@ append(CylinderPatch&& patch,
   patches.push_back(std::move(patch));
 }
 
+/** Elements on a cylinder that was found in the source; not those of others and of planes
+ * that stay. */
+std::vector<std::int32_t>
+elementsOn(const CylinderPatch& patch,
+           const SurfaceElements& elements,
+           const KnownFaces& faces,
+           const PointLabels& owners,
+           double sigma)
+{
+  constexpr double gate = 4, max_gap = 0.25; // sigmas; of the spacing
+  const double distance = std::max(gate * sigma, max_gap * elements.spacing);
+  const Cylinder cylinder{patch.axis_point, patch.axis_direction, patch.radius, false};
+  std::vector<std::int32_t> members;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const Eigen::Vector3d place = elements.points[i] + elements.origin;
+    const double along = cylinder.along(place);
+    if (owners[i] >= 0 || !(std::abs(cylinder.distance(place)) < distance) ||
+        along < patch.low - elements.spacing || along > patch.high + elements.spacing)
+      continue;
+    const std::int32_t plane = faces.labels.empty() ? -1 : faces.labels[i];
+    const Eigen::Vector3d across = cylinder.across(place);
+    const double turn = std::atan2(across.dot(patch.axis_v), across.dot(patch.axis_u));
+    const bool is_free =
+        plane < 0 || std::find(patch.planes.begin(), patch.planes.end(), plane) !=
+                         patch.planes.end();
+    if (is_free && std::abs(turn) < patch.arc / 2 + elements.spacing / patch.radius)
+      members.push_back(static_cast<std::int32_t>(i));
+  }
+  return members;
+}
+
+/** Finds cylinders in the source that the mesh was too coarse or too rough for.
+ * \param[in,out] raw in: the source with its planes; out: those that were replaced have no
+ * points, and others are marked as bent
+ * \param[in,out] found cylinders of the mesh, and behind them the missed ones */
+void
+searchMissed(const CylinderClusteringSettings& settings,
+             const Progress& progress,
+             RawCloud& raw,
+             std::vector<RawCylinder>& found)
+{
+  constexpr double min_sagitta = 0.03; // of the width: no wall that is warped
+  std::vector<std::uint8_t> is_replaced(raw.planes.size(), 0);
+  for (const RawCylinder& cylinder : found)
+    for (const std::int32_t plane : cylinder.planes)
+      is_replaced[static_cast<std::size_t>(plane)] = 1;
+  for (std::int32_t& label : raw.labels)
+    if (label >= 0 && is_replaced[static_cast<std::size_t>(label)])
+      label = -1;
+  markBentPlanes(min_sagitta, raw);
+  markThickPlanes(min_sagitta, raw);
+  addMissedCylinders(raw, {settings.min_radius, settings.max_radius}, progress, found);
+}
+
 /** Finds cylinders over elements with normals, and fits them to the source. */
 void
 searchSurface(const PlaneHypotheses& hypotheses,
@@ -221,32 +276,57 @@ searchSurface(const PlaneHypotheses& hypotheses,
   std::vector<GrownCylinder> candidates = growCylinders(
       elements, faces, {settings.min_radius, settings.max_radius}, progress);
   RawCloud raw;
-  if (has_source && !candidates.empty())
+  if (has_source)
     raw = rawCloudOf(source.points,
                      source.sensors,
                      planes.patches,
                      planes.source_labels,
                      settings.source_scale,
                      settings.sigma);
+  const bool has_noise = raw.sigma > 0 && raw.spacing > 0;
   const SourceBlocks blocks(raw);
+  std::vector<RawCylinder> found;
+  std::vector<std::vector<std::int32_t>> members_of_mesh;
   for (GrownCylinder& grown : candidates) {
-    RawCylinder cylinder{grown.fit, elements.samplesOf(grown.members), {}, {}, 0};
+    RawCylinder cylinder{
+        grown.fit, elements.samplesOf(grown.members), {}, grown.planes, grown.gain};
     setCovariance(cylinder.samples, elements.sigma, 2 * elements.spacing, cylinder.fit);
     cylinder.fit.cylinder.point += elements.origin;
     for (Sample& sample : cylinder.samples)
       sample.point += elements.origin;
-    if (raw.sigma > 0 && raw.spacing > 0 &&
+    if (has_noise &&
         !refitToSource(raw, blocks, clusters.source_labels, grown, cylinder))
       continue;
     for (const std::int32_t member : cylinder.members)
       clusters.source_labels[static_cast<std::size_t>(member)] =
-          static_cast<std::int32_t>(clusters.patches.size());
-    CylinderPatch patch = patchOf(cylinder.fit, cylinder.samples, elements.spacing);
-    patch.planes = grown.planes;
-    patch.saved_bits = grown.gain;
-    report.replaced_planes += grown.planes.size();
-    report.bits_after -= grown.gain;
-    append(std::move(patch), grown.members, clusters.labels, clusters.patches);
+          static_cast<std::int32_t>(found.size());
+    found.push_back(std::move(cylinder));
+    members_of_mesh.push_back(std::move(grown.members));
+  }
+  if (has_noise && !raw.planes.empty())
+    searchMissed(settings, progress, raw, found);
+  std::fill(clusters.source_labels.begin(), clusters.source_labels.end(), -1);
+  members_of_mesh.resize(found.size());
+  for (std::size_t c = 0; c < found.size(); ++c) {
+    const RawCylinder& cylinder = found[c];
+    CylinderPatch patch =
+        patchOf(cylinder.fit,
+                cylinder.samples,
+                cylinder.is_changed ? 2 * raw.spacing : elements.spacing);
+    patch.planes = cylinder.planes;
+    patch.saved_bits = cylinder.gain;
+    report.replaced_planes += cylinder.planes.size();
+    report.bits_after -= cylinder.gain;
+    for (const std::int32_t member : cylinder.members)
+      clusters.source_labels[static_cast<std::size_t>(member)] =
+          static_cast<std::int32_t>(c);
+    std::vector<std::int32_t>& members = members_of_mesh[c];
+    if (cylinder.is_changed) {
+      const std::vector<std::int32_t> more =
+          elementsOn(patch, elements, faces, clusters.labels, raw.sigma);
+      members.insert(members.end(), more.begin(), more.end());
+    }
+    append(std::move(patch), members, clusters.labels, clusters.patches);
   }
 }
 

@@ -18,6 +18,11 @@ struct RawCloud {
   std::vector<std::uint8_t> is_bent; ///< planes that bend by more than their noise
   double spacing = 0;                ///< metres
   double sigma = 0;                  ///< metres; along the rays where sensors are known
+
+  /** Is the noise along the rays of known sensors? Where it is rather across the surface, as
+   * in merged clouds of other programs and with a sensor that is a mere default, residuals
+   * along the rays would bend what they are fitted to. */
+  bool is_along_rays = true;
 };
 
 /** A point of the cloud with its ray. */
@@ -38,6 +43,16 @@ findRawPlanes(const PointView& points,
               unsigned threads,
               const Progress& progress);
 
+/** Marks the planes whose surface bends by more than its noise, and by more than a share
+ * of its width. */
+void
+markBentPlanes(double min_sagitta, RawCloud& cloud);
+
+/** Marks as bent also the planes that are thicker than the noise, by more than a share of
+ * their width: what is strongly curved does not look like a parabola through its noise. */
+void
+markThickPlanes(double min_sagitta, RawCloud& cloud);
+
 /** A cylinder of a raw cloud. */
 struct RawCylinder {
   CylinderFit fit; ///< in the frame of the cloud
@@ -45,7 +60,15 @@ struct RawCylinder {
   std::vector<std::int32_t> members; ///< ascending
   std::vector<std::int32_t> planes;  ///< that it replaces
   double gain = 0;                   ///< bits that it saves
+
+  /** Was it found or fitted again after the search on a mesh? */
+  bool is_changed = false;
 };
+
+/** Is the noise of the points on planes that are not bent rather along their rays than
+ * across the planes? Also true where that cannot be told. */
+bool
+isAlongRays(const RawCloud& cloud);
 
 /** Noise along the rays, from the points on planes that are not bent; without sensors
  * across these planes. 0 if there are too few points. */
@@ -85,5 +108,17 @@ std::vector<RawCylinder>
 findRawCylinders(const RawCloud& cloud,
                  const CylinderLimits& limits,
                  const Progress& progress);
+
+/** Finds the cylinders that a mesh over the cloud was too coarse or too rough for, as strips
+ * of planes and free points of the cloud show them, and adds such strips to those that were
+ * found on the mesh. What is left of a scene that was meshed is clutter for the most part, so
+ * they have to be surer than those of a whole cloud.
+ * \param[in,out] cylinders in: found on the mesh; out: with the missed ones behind them
+ * \throws CancelledException when the progress callback requested to stop */
+void
+addMissedCylinders(const RawCloud& cloud,
+                   const CylinderLimits& limits,
+                   const Progress& progress,
+                   std::vector<RawCylinder>& cylinders);
 
 } // namespace pcl::acmap::cylinders

@@ -52,12 +52,14 @@ cellsOf(const VoxelMoments& voxels)
   return cells;
 }
 
-/** Does the surface of a plane's points bend by more than their noise and than walls
- * do? The height of a parabola is fitted to their offsets along both axes. */
+/** Does the surface of a plane's points bend by more than their noise? The height of a
+ * parabola is fitted to their offsets along both axes.
+ * \param[in] min_sagitta of the width */
 bool
 isBent(const RawCloud& cloud,
        const PlanePatch& patch,
-       const std::vector<std::int32_t>& members)
+       const std::vector<std::int32_t>& members,
+       double min_sagitta)
 {
   using Terms = Eigen::Matrix<double, 6, 1>;
   using Matrix = Eigen::Matrix<double, 6, 6>;
@@ -95,7 +97,7 @@ isBent(const RawCloud& cloud,
   const Terms fit = solver.solve(right);
   const double variance = std::max(squares - fit.dot(right), 0.0) / (count - 6);
   const Matrix covariance = variance * solver.solve(Matrix(Matrix::Identity()));
-  constexpr double deviations = 5, min_sagitta = 0.006; // of the width
+  constexpr double deviations = 5;
   for (const int axis : {0, 1}) {
     const int term = axis == 0 ? 3 : 5;
     const double width = std::sqrt(12 * spread[axis] / count);
@@ -108,6 +110,94 @@ isBent(const RawCloud& cloud,
 }
 
 } // namespace
+
+void
+markBentPlanes(double min_sagitta, RawCloud& cloud)
+{
+  std::vector<std::vector<std::int32_t>> members(cloud.planes.size());
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+    if (cloud.labels[i] >= 0)
+      members[static_cast<std::size_t>(cloud.labels[i])].push_back(
+          static_cast<std::int32_t>(i));
+  constexpr std::size_t enough = 20000;
+  cloud.is_bent.clear();
+  for (std::size_t p = 0; p < members.size(); ++p)
+    cloud.is_bent.push_back(
+        isBent(cloud, cloud.planes[p], thinned(members[p], enough), min_sagitta) ? 1
+                                                                                 : 0);
+}
+
+void
+markThickPlanes(double min_sagitta, RawCloud& cloud)
+{
+  constexpr double of_parabola = 0.298; // rms over the sagitta
+  constexpr double deviations = 5, min_ratio = 1.1;
+  struct Sums {
+    Moments moments;
+    double squares = 0; ///< of distances from the plane
+  };
+  std::vector<Sums> sums(cloud.planes.size());
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if (cloud.labels[i] < 0)
+      continue;
+    const auto p = static_cast<std::size_t>(cloud.labels[i]);
+    const PlanePatch& patch = cloud.planes[p];
+    const Eigen::Vector3d from = cloud.points[i].cast<double>() - patch.center;
+    sums[p].moments += momentsOf(from);
+    sums[p].squares += std::pow(patch.coefficients.head<3>().dot(from), 2);
+  }
+  for (std::size_t p = 0; p < sums.size(); ++p) {
+    const double count = sums[p].moments.count;
+    if (count < 1)
+      continue;
+    const double ratio = std::sqrt(sums[p].squares / count) / cloud.sigma;
+    const double excess = cloud.sigma * std::sqrt(std::max(ratio * ratio - 1, 0.0));
+    const double width = std::sqrt(12 * fitPlane(sums[p].moments).variances[1]);
+    if (ratio > std::max(min_ratio, 1 + deviations / std::sqrt(2 * count)) &&
+        excess > of_parabola * min_sagitta * width)
+      cloud.is_bent[p] = 1;
+  }
+}
+
+bool
+isAlongRays(const RawCloud& cloud)
+{
+  // log |offset| = terms of the range + slope * log cosine: the slope is 1 for noise along
+  // the rays and 0 across the planes. The range has to be among the terms, because noise
+  // grows with it, and points of one plane that are far away are seen at a flat angle.
+  using Terms = Eigen::Vector4d;
+  constexpr double min_cosine = 0.2, least = 1e-2; // of the spacing
+  constexpr double of_logarithm = 1.234; // variance of the logarithm of |normal value|
+  constexpr double max_deviation = 0.1, max_slope = 0.5;
+  constexpr std::size_t enough = 200000;
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+  Terms right = Terms::Zero();
+  const std::size_t step = 1 + cloud.points.size() / enough;
+  for (std::size_t i = 0; i < cloud.points.size(); i += step) {
+    const std::int32_t label = cloud.labels[i];
+    const Eigen::Vector3f* const sensor = cloud.sensors[i];
+    if (label < 0 || !sensor || cloud.is_bent[static_cast<std::size_t>(label)])
+      continue;
+    const Eigen::Vector4d& plane =
+        cloud.planes[static_cast<std::size_t>(label)].coefficients;
+    const Eigen::Vector3d point = cloud.points[i].cast<double>();
+    const Eigen::Vector3d way = point - sensor->cast<double>();
+    const double range = way.norm();
+    const double cosine = std::abs(plane.head<3>().dot(way)) / range;
+    const double off = std::abs(plane.head<3>().dot(point) + plane[3]);
+    if (!(cosine > min_cosine))
+      continue;
+    const double far = std::log(range / cloud.spacing);
+    const Terms terms(1, far, far * far, std::log(cosine));
+    matrix += terms * terms.transpose();
+    right += std::log(std::max(off / cloud.spacing, least)) * terms;
+  }
+  const Eigen::LDLT<Eigen::Matrix4d> solver(matrix);
+  const double variance = of_logarithm * solver.solve(Terms(Terms::Unit(3)))[3];
+  const double slope = solver.solve(right)[3];
+  return !(variance > 0 && variance < max_deviation * max_deviation &&
+           slope < max_slope);
+}
 
 double
 noiseOnPlanes(const RawCloud& cloud)
@@ -123,7 +213,7 @@ noiseOnPlanes(const RawCloud& cloud)
     const Eigen::Vector3f* const sensor = cloud.sensors[i];
     const double off = plane.head<3>().dot(point.cast<double>()) + plane[3];
     double cosine = 1;
-    if (sensor)
+    if (sensor && cloud.is_along_rays)
       cosine =
           std::abs(plane.head<3>().dot((point - *sensor).cast<double>().normalized()));
     return cosine > min_cosine ? std::abs(off) / cosine : none;
@@ -137,7 +227,9 @@ Sample
 sampleOf(const RawCloud& cloud, std::size_t i)
 {
   Sample sample{cloud.points[i].cast<double>()};
-  if (const Eigen::Vector3f* const sensor = cloud.sensors[i])
+  const Eigen::Vector3f* const sensor =
+      cloud.is_along_rays ? cloud.sensors[i] : nullptr;
+  if (sensor)
     sample.ray = (sample.point - sensor->cast<double>()).stableNormalized();
   return sample;
 }
@@ -182,15 +274,9 @@ findRawPlanes(const PointView& points,
       clusterPlanes(hypotheses, {points, sensors}, settings, Progress(), report);
   cloud.planes = std::move(clusters.patches);
   cloud.labels = std::move(clusters.source_labels);
-  std::vector<std::vector<std::int32_t>> members(cloud.planes.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (cloud.labels[i] >= 0)
-      members[static_cast<std::size_t>(cloud.labels[i])].push_back(
-          static_cast<std::int32_t>(i));
-  constexpr std::size_t enough = 20000;
-  for (std::size_t p = 0; p < members.size(); ++p)
-    cloud.is_bent.push_back(
-        isBent(cloud, cloud.planes[p], thinned(members[p], enough)) ? 1 : 0);
+  constexpr double min_sagitta = 0.006; // walls are bowed
+  markBentPlanes(min_sagitta, cloud);
+  cloud.is_along_rays = isAlongRays(cloud);
   if (!(sigma > 0)) {
     const double measured = noiseOnPlanes(cloud);
     cloud.sigma = measured > 0 ? measured : scale.sigma;
