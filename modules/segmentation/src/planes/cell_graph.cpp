@@ -1,6 +1,7 @@
 #include "planes/cell_graph.h"
 
 #include "planes/radius_grid.h"
+#include "planes/waves.h"
 
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/quantile.h>
@@ -127,6 +128,27 @@ CellGraph::CellGraph(const PlaneHypotheses& hypotheses, unsigned threads)
   else
     spacing = meanEdge(*this);
   sigma = localNoise(*this);
+  if (triangles.empty())
+    return;
+  averageWaves();
+}
+
+/** Neighbouring points of stereo cameras share their errors, which then look like waves of
+ * the surface: wider than what the mesh shows as noise, and steeper than planes may be. */
+void
+CellGraph::averageWaves()
+{
+  constexpr double min_ratio = 2.8, min_height = 0.08; // of sigma; of the spacing
+  for (const int rings : {5, 10}) {
+    const Waves waves = measureWaves(*this, rings);
+    if (!(waves.quiet > min_ratio * sigma && waves.quiet > min_height * spacing))
+      continue;
+    const int averaged = 3 * rings / 5;
+    normals = normalsOverWaves(*this, averaged);
+    sigma = waves.height;
+    least_area = std::pow((2 * averaged + 1) * spacing, 2);
+    return;
+  }
 }
 
 void

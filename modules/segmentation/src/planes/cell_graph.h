@@ -17,7 +17,11 @@ struct CellGraph {
   VertexNeighbours neighbours; ///< in the mesh; without one, in a radius
   Eigen::Vector3d origin;
   double spacing = 0; ///< metres
-  double sigma = 0;   ///< metres
+  double sigma = 0;   ///< metres; with the waves of the surface, if it has such
+
+  /** Area over which normals had to be averaged, square metres: smaller regions may be
+   * waves. 0 if the surface has none. */
+  double least_area = 0;
 
   std::size_t
   size() const
@@ -38,6 +42,8 @@ struct CellGraph {
 private:
   void
   addAreas(const TriangleMesh::Triangles& triangles);
+  void
+  averageWaves();
   void
   connectNear(const PointView& view, unsigned threads);
 };

@@ -171,7 +171,7 @@ public:
   {
     grow(seeds, limits, [&](const Members& members, const PlaneRegion& region) {
       constexpr std::size_t min_members = 8;
-      if (members.size() < min_members) {
+      if (members.size() < min_members || graph_.areaOf(members) < graph_.least_area) {
         ++report_.small_regions;
         return false;
       }

@@ -256,8 +256,9 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     report.hypotheses = seeds.size();
     timer.finish("cells");
 
-    const double min_area =
-        settings.min_area > 0 ? settings.min_area : automaticArea(graph);
+    const double min_area = settings.min_area > 0
+                                ? settings.min_area
+                                : std::max(automaticArea(graph), graph.least_area);
     const double merge_cosine = std::cos(settings.normal_angle / 2);
     std::vector<GrownPlane> grown;
     if (settings.noise_driven && graph.spacing > 0)
