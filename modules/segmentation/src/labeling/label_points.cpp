@@ -222,7 +222,7 @@ struct Scenery {
   Scenery(const PointView& points, const SensorView& sensors, KnownPlanes& known)
   : grid(known, 2 * known.spacing, 1)
   , survey(points, sensors, grid)
-  , noise(survey, grid, known.planes)
+  , noise(survey, grid, known.planes, known.max_sigma)
   {
     measureWarps(survey, grid, noise, known.planes);
   }

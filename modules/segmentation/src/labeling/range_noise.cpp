@@ -34,7 +34,8 @@ visitSurePoints(const Survey& survey, const CandidateGrid& grid, const Visit& vi
 
 RangeNoise::RangeNoise(const Survey& survey,
                        const CandidateGrid& grid,
-                       const std::vector<KnownPlane>& planes)
+                       const std::vector<KnownPlane>& planes,
+                       double max_sigma)
 {
   constexpr double floor = 0.01; // relative to the edge of the grid's voxels
   squared_floor_ = std::pow(floor * grid.lattice().edge(), 2);
@@ -66,6 +67,8 @@ RangeNoise::RangeNoise(const Survey& survey,
       break;
     }
   }
+  for (double& sigma : sigmas_)
+    sigma = std::min(sigma, max_sigma);
 }
 
 void

@@ -13,7 +13,8 @@ class RangeNoise {
 public:
   RangeNoise(const Survey& survey,
              const CandidateGrid& grid,
-             const std::vector<KnownPlane>& planes);
+             const std::vector<KnownPlane>& planes,
+             double max_sigma);
 
   /** Standard deviation along the ray, metres. */
   double

@@ -72,7 +72,7 @@ meanEdge(const CellGraph& graph)
  * neighbours. The median is that of flat surfaces, unless most of the surface is
  * strongly curved. */
 double
-localNoise(const CellGraph& graph)
+localNoise(CellGraph& graph, bool is_consolidated)
 {
   using Offsets = LargeVector<double>;
   const auto offsetsOf = [&](std::size_t begin, std::size_t end) {
@@ -96,13 +96,22 @@ localNoise(const CellGraph& graph)
       graph.size(), Offsets{}, offsetsOf, [](Offsets& all, const Offsets& next) {
         all.insert(all.end(), next.begin(), next.end());
       });
-  constexpr double median_of_normal = 0.6745;
-  return medianOf(offsets) / median_of_normal;
+  constexpr double median_of_normal = 0.6745, quarter_of_normal = 0.3186;
+  const double by_median = medianOf(offsets) / median_of_normal;
+  constexpr double sparse = 0.25, of_sensors = 0.02; // metres
+  if (is_consolidated || graph.spacing < sparse || by_median < of_sensors)
+    return by_median;
+  // more than half of a sparse surface may be at edges: its offsets are no longer normal
+  const double by_quarter = quantileOf(offsets, 0.25) / quarter_of_normal;
+  graph.is_mostly_edges = by_quarter < by_median / 2;
+  return graph.is_mostly_edges ? by_quarter : by_median;
 }
 
 } // namespace
 
-CellGraph::CellGraph(const PlaneHypotheses& hypotheses, unsigned threads)
+CellGraph::CellGraph(const PlaneHypotheses& hypotheses,
+                     bool is_consolidated,
+                     unsigned threads)
 : normals(hypotheses.normals)
 , areas(hypotheses.points.size(), 0.0)
 {
@@ -127,7 +136,7 @@ CellGraph::CellGraph(const PlaneHypotheses& hypotheses, unsigned threads)
     connectNear(hypotheses.points, threads);
   else
     spacing = meanEdge(*this);
-  sigma = localNoise(*this);
+  sigma = localNoise(*this, is_consolidated);
   if (triangles.empty())
     return;
   averageWaves();
@@ -139,6 +148,10 @@ void
 CellGraph::averageWaves()
 {
   constexpr double min_ratio = 2.8, min_height = 0.08; // of sigma; of the spacing
+  constexpr double max_spacing =
+      0.1; // metres: windows of sparser clouds hold furniture
+  if (spacing > max_spacing)
+    return;
   for (const int rings : {5, 10}) {
     const Waves waves = measureWaves(*this, rings);
     if (!(waves.quiet > min_ratio * sigma && waves.quiet > min_height * spacing))

@@ -8,8 +8,9 @@ namespace pcl::acmap::planes {
 /** The hypotheses in double precision, relative to their median, with their neighbours
  * and areas in the mesh. */
 struct CellGraph {
-  /** \param[in] threads 0: all */
-  CellGraph(const PlaneHypotheses& hypotheses, unsigned threads);
+  /** \param[in] is_consolidated does each hypothesis stand for several points?
+   * \param[in] threads 0: all */
+  CellGraph(const PlaneHypotheses& hypotheses, bool is_consolidated, unsigned threads);
 
   LargeVector<Eigen::Vector3d> points;  ///< relative to the origin
   LargeVector<Eigen::Vector3f> normals; ///< NaN where there is none
@@ -18,6 +19,8 @@ struct CellGraph {
   Eigen::Vector3d origin;
   double spacing = 0; ///< metres
   double sigma = 0;   ///< metres; with the waves of the surface, if it has such
+
+  bool is_mostly_edges = false; ///< so sparse that the sigma is that of a quarter of it
 
   /** Area over which normals had to be averaged, square metres: smaller regions may be
    * waves. 0 if the surface has none. */

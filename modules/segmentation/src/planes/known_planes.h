@@ -4,6 +4,7 @@
 #include <pcl/core/plane_patch.h>
 #include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
+#include <limits>
 #include <vector>
 
 namespace pcl::acmap {
@@ -34,6 +35,10 @@ struct KnownPlanes {
   PointView points;
   PointLabels labels; ///< plane of each point; -1 for none
   double spacing = 0; ///< metres, between neighbours
+
+  /** Largest noise that is measured on the planes, metres: of a sparse surface with many
+   * edges, the points beside a plane are no noise. */
+  double max_sigma = std::numeric_limits<double>::infinity();
   std::vector<KnownPlane> planes;
 };
 

@@ -246,7 +246,8 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     report.points = hypotheses.points.size();
     StepTimer timer(report);
     progress.tell(0.0, "growing");
-    const CellGraph graph(hypotheses, settings.threads);
+    const CellGraph graph(
+        hypotheses, source.points.size() > hypotheses.points.size(), settings.threads);
     const PlaneLimits limits = growthLimits(settings, graph);
     report.spacing = graph.spacing;
     report.sigma = graph.sigma;
@@ -276,12 +277,16 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
 
     KnownPlanes known = knownPlanes(graph, grown);
     known.points = hypotheses.points;
+    if (graph.is_mostly_edges)
+      known.max_sigma = 1.5 * graph.sigma;
     PlaneClusters clusters;
     LabelingLimits labeling;
     labeling.distance = limits.distance / 2;
     labeling.cosine = merge_cosine;
     labeling.min_area = min_area;
-    labeling.stray = std::max(automaticDistance(graph), 0.25 * graph.spacing);
+    labeling.stray =
+        std::max(automaticDistance(graph),
+                 graph.is_mostly_edges ? graph.sigma : 0.25 * graph.spacing);
     if (!settings.noise_driven)
       for (std::size_t p = 0; p < grown.size(); ++p)
         describeFit(graph, grown[p], known.planes[p]);
