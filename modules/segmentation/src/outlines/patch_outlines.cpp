@@ -198,10 +198,6 @@ rectangles(const KnownPlanes& known, std::size_t own, const CreaseSnap& snap)
   return loops;
 }
 
-} // namespace
-
-namespace {
-
 /** For each plane the area of the faces that have two or three corners on it. */
 std::vector<double>
 areasOfPlanes(const Triangles& triangles, const KnownPlanes& known)
@@ -237,8 +233,10 @@ areaOf(const std::vector<Loop>& loops)
 
 MeshOutlines::MeshOutlines(const TriangleMesh::Triangles& triangles,
                            const std::vector<bool>& is_wanted,
-                           const KnownPlanes& known)
+                           const KnownPlanes& known,
+                           double most_of_faces)
 : known_(known)
+, most_of_faces_(most_of_faces)
 {
   if (std::find(is_wanted.begin(), is_wanted.end(), true) == is_wanted.end())
     return;
@@ -260,9 +258,8 @@ MeshOutlines::outline(std::size_t plane, PlanePatch& patch) const
                 patch);
   if (!patch.polygons.empty())
     return;
-  constexpr double most_of_faces = 2;
   const std::vector<Loop> loops = rectangles(known_, plane, snap);
-  if (areaOf(loops) <= most_of_faces * seen_areas_[plane])
+  if (areaOf(loops) <= most_of_faces_ * seen_areas_[plane])
     setPolygons(loops, 0, spacing, patch);
 }
 
@@ -276,7 +273,8 @@ outlineFromMesh(const TriangleMesh::Triangles& triangles, KnownPlanes& known)
   if (known.planes.empty() || !(known.spacing > 0) || triangles.empty())
     return;
   const std::vector<bool> all(known.planes.size(), true);
-  const outlines::MeshOutlines mesh(triangles, all, known);
+  constexpr double any = std::numeric_limits<double>::infinity();
+  const outlines::MeshOutlines mesh(triangles, all, known, any);
   for (std::size_t p = 0; p < known.planes.size(); ++p)
     mesh.outline(p, known.planes[p].patch);
 }

@@ -30,15 +30,17 @@ class MeshOutlines {
 public:
   /** Takes time for all points and faces, unless no plane is wanted.
    * \param[in] is_wanted for each plane, will it be outlined?
-   * \param[in] known must outlive this object */
+   * \param[in] known must outlive this object
+   * \param[in] most_of_faces how much more than its faces a rectangle may cover */
   MeshOutlines(const TriangleMesh::Triangles& triangles,
                const std::vector<bool>& is_wanted,
-               const KnownPlanes& known);
+               const KnownPlanes& known,
+               double most_of_faces = 2);
 
   /** Sets the polygons of a plane that is wanted: the boundaries of its mesh faces, moved onto the
    * intersection lines with its neighbours and simplified with a tolerance of one
    * spacing. Openings are kept. A plane without such a polygon, and a strip, gets
-   * rectangles where its points are, unless these are more than twice the faces that they
+   * rectangles where its points are, unless these are so many times the faces that they
    * stand for: rings of a scanner enclose what was not seen.
    * \param[in,out] patch of the plane, without polygons; their area is added to its */
   void
@@ -46,6 +48,7 @@ public:
 
 private:
   const KnownPlanes& known_;
+  double most_of_faces_;
   std::optional<labeling::CandidateGrid> grid_;
   std::vector<TriangleMesh::Triangles> of_planes_;
   std::vector<double>
