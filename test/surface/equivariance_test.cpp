@@ -1,5 +1,7 @@
 #include "dewall_runs.h"
 
+#include <algorithm>
+
 namespace pcl::acmap::test {
 namespace {
 
@@ -10,6 +12,15 @@ protected:
   DeWallRun run_{std::get<1>(GetParam()), case_.length};
 };
 
+TriangleMesh::Triangles
+withoutSides(TriangleMesh::Triangles triangles)
+{
+  for (TriangleMesh::Triangle& triangle : triangles)
+    std::sort(triangle.begin(), triangle.end());
+  return triangles;
+}
+
+/** But the side of what may be an object: rooms are larger. */
 TEST_P(DeWallEquivariance, scaleByPowersOfTwoChangesNothing)
 {
   const DeWallResult original = triangulate(case_.cloud, run_);
@@ -17,7 +28,12 @@ TEST_P(DeWallEquivariance, scaleByPowersOfTwoChangesNothing)
     DeWallRun run = run_;
     run.length = run_.length * static_cast<double>(factor);
     const DeWallResult other = triangulate(scaled(case_.cloud, factor), run);
-    EXPECT_EQ(original.mesh.triangles, other.mesh.triangles) << "factor " << factor;
+    if (original.report.sides == other.report.sides)
+      EXPECT_EQ(original.mesh.triangles, other.mesh.triangles) << "factor " << factor;
+    else
+      EXPECT_EQ(withoutSides(original.mesh.triangles),
+                withoutSides(other.mesh.triangles))
+          << "factor " << factor;
   }
 }
 

@@ -79,13 +79,14 @@ private:
     return isClosed(lists) && enclosed >= closed_share * volume.ofHull();
   }
 
-  /** The area vectors of a closed surface that is turned outward have no sum. */
+  /** The area vectors of a closed surface that is turned outward have no sum; those of two
+   * sheets have one each. */
   bool
   isClosed(const std::vector<TriangleList>& lists)
   {
     constexpr double open_share = 0.1;       // a box without its bottom has 0.2
     constexpr std::size_t max_boundary = 33; // triangles an edge: 2 % of the edges
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    std::vector<Eigen::Vector3d> sums(shown_.size(), Eigen::Vector3d::Zero());
     double all = 0;
     std::size_t triangles = 0;
     PollPace pace;
@@ -96,12 +97,15 @@ private:
                               b = tree_.position(triangle.corners[1]),
                               c = tree_.position(triangle.corners[2]);
         const Eigen::Vector3d area = (b - a).cross(c - a);
-        sum += turns(triangle) ? Eigen::Vector3d(-area) : area;
+        sums[componentOf(triangle)] += turns(triangle) ? Eigen::Vector3d(-area) : area;
         all += area.norm();
         ++triangles;
       }
-    return max_boundary * boundary_edges_ <= triangles &&
-           sum.norm() <= open_share * all;
+    const double open = std::accumulate(
+        sums.begin(), sums.end(), 0.0, [](double norms, const Eigen::Vector3d& sum) {
+          return norms + sum.norm();
+        });
+    return max_boundary * boundary_edges_ <= triangles && open <= open_share * all;
   }
 
   /** No sensor that maps a building stands inside of it. */
@@ -114,10 +118,16 @@ private:
     return grown_.parity().find(triangle.component).flipped;
   }
 
+  std::size_t
+  componentOf(const GrownTriangle& triangle)
+  {
+    return static_cast<std::size_t>(components_.find(triangle.corners[0]));
+  }
+
   double&
   shownOf(const GrownTriangle& triangle)
   {
-    return shown_[static_cast<std::size_t>(components_.find(triangle.corners[0]))];
+    return shown_[componentOf(triangle)];
   }
 
   GrowingMesh& grown_;
