@@ -35,7 +35,7 @@ public:
   MeshOutlines(const TriangleMesh::Triangles& triangles,
                const std::vector<bool>& is_wanted,
                const KnownPlanes& known,
-               double most_of_faces = 2);
+               double most_of_faces);
 
   /** Sets the polygons of a plane that is wanted: the boundaries of its mesh faces, moved onto the
    * intersection lines with its neighbours and simplified with a tolerance of one

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <tuple>
 
 namespace pcl::acmap {
@@ -629,13 +630,14 @@ isNarrow(const KnownPlane& plane, double spacing)
 void
 addNarrow(const TriangleMesh::Triangles& triangles,
           const KnownPlanes& known,
+          double most_of_faces,
           std::vector<PlaneRaster>& rasters)
 {
   std::vector<bool> is_narrow(rasters.size());
   for (std::size_t p = 0; p < rasters.size(); ++p)
     is_narrow[p] =
         isNarrow(known.planes[p], known.spacing) && rasters[p].seen.width() > 0;
-  const MeshOutlines mesh(triangles, is_narrow, known);
+  const MeshOutlines mesh(triangles, is_narrow, known, most_of_faces);
   for (std::size_t p = 0; p < rasters.size(); ++p) {
     if (!is_narrow[p])
       continue;
@@ -699,7 +701,12 @@ outlineFromEvidence(const TriangleMesh::Triangles& triangles,
     return 0;
   std::vector<PlaneRaster> rasters = rastersOf(known);
   addFaces(triangles, known, rasters);
-  addNarrow(triangles, known, rasters);
+  // rings of a scanner enclose what was not seen; elsewhere points support their rectangles
+  constexpr double any = std::numeric_limits<double>::infinity();
+  const double most_of_faces = source.sensors.single()    ? 2
+                               : source.sensors.isKnown() ? any
+                                                          : 4;
+  addNarrow(triangles, known, most_of_faces, rasters);
   const SightRays rays(known.points, sensors);
   addFreeRays(known, rays, rasters);
   Creases creases = creasesOf(known, rasters);
@@ -722,7 +729,7 @@ outlineFromEvidence(const TriangleMesh::Triangles& triangles,
     setOutlines(of_planes[p], found, judge, p, rasters[p], patch);
     is_missing[p] = patch.polygons.empty();
   }
-  const MeshOutlines mesh(triangles, is_missing, known);
+  const MeshOutlines mesh(triangles, is_missing, known, most_of_faces);
   for (std::size_t p = 0; p < rasters.size(); ++p)
     if (is_missing[p])
       mesh.outline(p, known.planes[p].patch);
