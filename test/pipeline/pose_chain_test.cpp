@@ -1,4 +1,4 @@
-#include "pose_chain.h"
+#include "motion/pose_chain.h"
 
 #include <gmock/gmock.h>
 
