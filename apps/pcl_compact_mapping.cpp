@@ -102,6 +102,7 @@ lead(Tool& tool, ChainOptions& options, const RunRanks& ranks, int argc, char** 
   options.ranks = ranks.get();
   const int code = tool.run(argc, argv, [&] {
     takePaperWay(tool, options);
+    options.rectification.up = tool.reader().getUpDirection();
     run(tool, options);
   });
   if (!ranks.get())

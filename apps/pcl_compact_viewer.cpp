@@ -2,6 +2,7 @@
 #include "command_line.h"
 #include "memory.h"
 #include "output_target.h"
+#include "reading_options.h"
 #include "tool.h"
 
 #include <pcl/core/impl/cloud_fields.h>
@@ -31,7 +32,6 @@ struct ViewerOptions {
   std::string screenshot;
   std::vector<float> from;
   std::vector<float> look;
-  std::vector<float> up;
   std::string size =
       std::to_string(LayeredView().width) + "x" + std::to_string(LayeredView().height);
   std::vector<std::string> layers;
@@ -99,7 +99,6 @@ addPlaces(CLI::App& app, ViewerOptions& options)
       ->check(CLI::NonNegativeNumber.description(""));
   add_vector("--from", options.from, "Place of the eye, metres [default: oblique]");
   add_vector("--look", options.look, "Middle of the picture, metres [default: scene]");
-  add_vector("--up", options.up, "Upward direction [default: from the scene]");
   app.add_option("--size", options.size, "Width and height of the picture, pixels")
       ->type_name("WxH");
 }
@@ -148,15 +147,15 @@ addOptions(Tool& tool, ViewerOptions& options)
                "Colour by the field label of the points, as planes leave it");
   app.add_flag(
       "--grey", options.view.ignore_colors, "Draw without the colours of the file");
-  tool.addScale();
+  addReading(app, tool.reader());
 }
 
 /** \throws UsageError for options that exclude each other */
 void
-requireOnePlace(const ViewerOptions& options)
+requireOnePlace(const ViewerOptions& options, bool states_up)
 {
-  const bool placed = !options.from.empty() || !options.look.empty() ||
-                      !options.up.empty() || !options.place.empty();
+  const bool placed = !options.from.empty() || !options.look.empty() || states_up ||
+                      !options.place.empty();
   if (options.view.at_pose && placed)
     throw UsageError("--at is a place of the eye, beside which --view, --from, --look "
                      "and --up have no meaning");
@@ -186,10 +185,8 @@ viewOf(const ViewerOptions& options)
     view.layers.insert(layer_names.at(layer));
   if (view.place == MapView::Place::Plan && !options.from.empty())
     throw UsageError("--from has no meaning for a plan, which is seen from above");
-  requireOnePlace(options);
   view.from = vectorOf(options.from);
   view.look = vectorOf(options.look);
-  view.up = vectorOf(options.up);
   return view;
 }
 
@@ -211,10 +208,10 @@ note(const PointCloudFile& file, std::vector<std::string>& remarks)
 }
 
 ViewerInput
-loadFile(const std::string& path, double scale)
+loadFile(const std::string& path, const PointCloudReader& reader)
 {
   SceneFile file = loadScene(path);
-  scaleCloud(file.points, scale);
+  reader.apply(file.points);
   if (cloudExtent(file.points.points()).finite_points == 0)
     throw NothingFound(path + ": nothing to show, no point is finite");
   ViewerInput input;
@@ -224,9 +221,7 @@ loadFile(const std::string& path, double scale)
   else
     input.sensor_origin = file.points.sensor_origin;
   input.sensor_orientation = file.points.sensor_orientation;
-  input.up = file.points.up;
-  if (endingOf(path) == ".obj")
-    input.up = Eigen::Vector3f::UnitY();
+  input.up = file.points.up ? file.points.up : file.points.usual_up;
   LayeredScene& scene = input.scene;
   (file.mesh.triangles.empty() ? scene.points : scene.vertices) =
       std::move(file.points.cloud);
@@ -324,19 +319,19 @@ loadFolder(const fs::path& folder)
 /** \brief Reads a cloud, a mesh, planes (.json), or a folder with map.json, or with
  * map.pcd and trajectory.txt, and the other files in the folder: mesh.ply, map.pcd,
  * trajectory.txt, trajectory_before.txt.
- * \param[in] scale metres in a unit of a cloud or mesh
+ * \param[in] reader of a cloud or mesh, with what is stated of it
  * \throws InputFileException naming file and fault
  * \throws UsageError for a scale of a map
  * \throws NothingFound when no point is finite and there is no plane */
 ViewerInput
-loadViewerInput(const std::string& path, double scale)
+loadViewerInput(const std::string& path, const PointCloudReader& reader)
 {
   std::error_code error;
   const bool is_folder = fs::is_directory(path, error);
   const bool is_map = is_folder || endingOf(path) == ".json";
   if (!is_map)
-    return loadFile(path, scale);
-  if (scale != 1)
+    return loadFile(path, reader);
+  if (reader.getScale() != 1)
     throw UsageError("--scale is for clouds and meshes; maps are in metres");
   ViewerInput input;
   if (is_folder)
@@ -403,18 +398,20 @@ summarize(const ViewerOptions& options, const ViewerInput& input, StageLog& log)
 }
 
 void
-show(const ViewerOptions& options, double scale, StageLog& log)
+show(const ViewerOptions& options, const PointCloudReader& reader, StageLog& log)
 {
+  requireOnePlace(options, reader.getUpDirection().has_value());
   LayeredView view = viewOf(options);
   StepTimer timer(log.report);
-  ViewerInput input = loadViewerInput(options.input, scale);
+  ViewerInput input = loadViewerInput(options.input, reader);
   timer.finish("read");
   if (options.labels)
     colorByLabel(input.scene);
   view.sensor_origin = input.sensor_origin;
   view.sensor_orientation = input.sensor_orientation;
-  if (!view.up)
-    view.up = input.up;
+  view.up = input.up;
+  if (const std::optional<Eigen::Vector3d>& up = reader.getUpDirection())
+    view.up = up->cast<float>();
   choosePlace(options, input.scene, view);
   stopIfInterrupted();
 
@@ -447,6 +444,6 @@ main(int argc, char** argv)
   addOptions(tool, options);
   return tool.run(argc, argv, [&] {
     checkPlaces(tool, options);
-    show(options, tool.scale(), tool.log());
+    show(options, tool.reader(), tool.log());
   });
 }

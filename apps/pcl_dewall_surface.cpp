@@ -2,6 +2,7 @@
 #include "length_check.h"
 #include "memory.h"
 #include "output_target.h"
+#include "reading_options.h"
 #include "setter_option.h"
 #include "stage_reports.h"
 #include "tool.h"
@@ -9,7 +10,9 @@
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/up_direction.h>
 #include <pcl/core/mesh_file.h>
+#include <pcl/core/noise_scale.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/core/up_evidence.h>
 #include <pcl/filters/depth_refinement.h>
 #include <pcl/filters/voxel_consolidation.h>
 #include <pcl/pipeline/picture.h>
@@ -94,7 +97,7 @@ addOptions(Tool& tool, Options& options)
       "An object that was seen from all sides: its surface faces outward, whatever "
       "sensor the cloud has");
   tool.addThreads();
-  tool.addScale();
+  addReading(app, tool.reader());
 }
 
 void
@@ -114,12 +117,34 @@ struct Input {
   std::optional<Eigen::Vector3d> up;
 
   pcl::SensorEvidence sensor; ///< of a cloud without views
+  pcl::UpEvidence evidence;   ///< of a cloud without a sensor
 
-  /** Up direction that the file states, if no sensor is known. */
-  std::optional<Eigen::Vector3f>
-  upOfFile() const
+  /** Finds out what the sides of the surfaces depend on. */
+  void
+  assess(unsigned threads)
   {
-    return sensor.isKnown() ? std::nullopt : file.up;
+    sensor = sensorEvidence(rows, file);
+    if (file.up)
+      evidence = {
+          pcl::UpOutcome::Stated, file.up->cast<double>().normalized(), 1, "stated"};
+    else if (!sensor.isKnown()) {
+      const pcl::NoiseScale scale = measureNoiseScale(points(), {}, threads);
+      evidence = findUp(points(), scale.spacing, scale.sigma, file.usual_up, threads);
+    }
+    findSides(true);
+  }
+
+  bool
+  namesViews() const
+  {
+    return findField(rows.layout(), "view", pcl::PCLPointField::INT32);
+  }
+
+  /** \param[in] sensors_fit can the surface have been seen from the sensor? */
+  void
+  findSides(bool sensors_fit)
+  {
+    up = upWithoutSensors(rows, evidence, sensor.isKnown(), sensors_fit);
   }
 
   pcl::acmap::PointView
@@ -209,7 +234,7 @@ consolidate(const Options& options,
 {
   pcl::VoxelConsolidation<pcl::PCLPointCloud2> consolidation = options.consolidation;
   consolidation.setViewpoints(
-      viewpointsOfFile(input.file, options.input, controls.scale, log));
+      viewpointsOfFile(input.file, options.input, controls.reader.getScale(), log));
   if (input.sensor.isKnown())
     consolidation.setSensorOrigin(input.file.sensor_origin);
   if (const double voxel_size = consolidation.getVoxelSize(); voxel_size > 0)
@@ -219,7 +244,7 @@ consolidate(const Options& options,
   consolidation.setInputCloud(input.rows);
   consolidation.filter(input.rows);
   const pcl::ConsolidationReport& report = consolidation.getReport();
-  input.up = upWithoutSensors(input.rows, input.upOfFile(), report.sensors_fit);
+  input.findSides(report.sensors_fit);
   log.warn(report.remarks);
   tellConsolidation(report, log);
   return report.voxel_size;
@@ -266,9 +291,8 @@ meshCloud(const Options& options, const RunControls& controls, StageLog& log)
   const Progress progress(controls.progress);
   progress.tell(0, "reading");
   Input input;
-  input.rows = loadCloudRows(options.input, controls.scale, input.file);
-  input.sensor = sensorEvidence(input.rows, input.file);
-  input.up = upWithoutSensors(input.rows, input.upOfFile(), true);
+  input.rows = controls.reader.readRows(options.input, input.file);
+  input.assess(controls.threads);
   timer.finish("read");
   stopIfInterrupted();
 
@@ -292,6 +316,10 @@ meshCloud(const Options& options, const RunControls& controls, StageLog& log)
   timer.finish("triangulate");
   log.warn(input.file.remarks);
   log.warn(report.remarks);
+  if (!input.namesViews() && input.sensor.outcome != pcl::SensorOutcome::Stated)
+    log.tell("sensor", describe(input.sensor));
+  if (input.up && input.evidence.outcome != pcl::UpOutcome::Stated)
+    log.tell("up", describe(input.evidence));
   if (scratch && scratch->getRefused() > 0)
     log.warn(options.output + ": the disk is full, " +
              gigabytes(scratch->getRefused()) + " of arrays stayed in memory");

@@ -13,10 +13,11 @@ main(int argc, char** argv)
     if (options.input().empty())
       throw UsageError("POSED_DIR or --carmen LOG is needed");
     requireSense(options);
+    options.up = tool.reader().getUpDirection();
     tool.requireReportWritable({options.input()});
     if (options.log.empty())
       rectifyPoses(options,
-                   pcl::ObservationSequence(options.folder, tool.scale()),
+                   pcl::ObservationSequence(options.folder, tool.reader().getScale()),
                    tool.controls(),
                    tool.log());
     else

@@ -2,6 +2,7 @@
 #include "drawn_apart.h"
 #include "output_target.h"
 #include "plane_extraction/extraction.h"
+#include "reading_options.h"
 
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/map_file.h>
@@ -64,7 +65,7 @@ addOptions(Tool& tool, Options& options)
                "votes and fixed thresholds (0.8 m, 22.5 degrees, 0.25 m, more than 50 "
                "points)");
   tool.addThreads();
-  tool.addScale();
+  addReading(app, tool.reader());
 }
 
 /** Checks before the work that all outputs can be written, and that the options are
@@ -125,15 +126,16 @@ run(const Options& options, const RunControls& controls, StageLog& log)
 {
   const PicturesApart pictures(!options.picture.empty(), log);
   StepTimer timer(log.report);
-  const auto file = std::make_shared<pcl::PointCloudFile>(
-      loadScaledCloud(options.input, controls.scale));
+  const auto file =
+      std::make_shared<pcl::PointCloudFile>(controls.reader.read(options.input));
   pcl::TriangleMesh triangles;
   const std::string ending = endingOf(options.input);
   if (!options.consolidates() && (ending == ".ply" || ending == ".obj"))
     triangles = pcl::loadTriangleMesh(options.input);
   std::vector<Eigen::Vector3f> viewpoints;
   if (triangles.triangles.empty())
-    viewpoints = viewpointsOfFile(*file, options.input, controls.scale, log);
+    viewpoints =
+        viewpointsOfFile(*file, options.input, controls.reader.getScale(), log);
   timer.finish("read");
   stopIfInterrupted();
 

@@ -1,4 +1,5 @@
 #include "output_target.h"
+#include "reading_options.h"
 #include "texturing/texture_stage.h"
 
 #include <pcl/core/map_file.h>
@@ -41,7 +42,7 @@ addOptions(Tool& tool, Options& options)
       ->required();
   addTextureOptions(tool, options.texture);
   tool.addThreads();
-  tool.addScale();
+  addScale(app, tool.reader());
 }
 
 void
@@ -62,14 +63,15 @@ paint(const Options& options,
 {
   const std::string ending = endingOf(options.observations);
   if (ending != ".pcd" && ending != ".ply" && ending != ".obj")
-    return paintPlanes(surfaces,
-                       pcl::ObservationSequence(options.observations, controls.scale),
-                       nullptr,
-                       options.texture,
-                       controls,
-                       log);
+    return paintPlanes(
+        surfaces,
+        pcl::ObservationSequence(options.observations, controls.reader.getScale()),
+        nullptr,
+        options.texture,
+        controls,
+        log);
   const auto cloud = std::make_shared<const pcl::PointCloudFile>(
-      loadScaledCloud(options.observations, controls.scale));
+      controls.reader.read(options.observations));
   return paintPlanes(surfaces, sharedCloud(cloud), options.texture, controls, log);
 }
 

@@ -9,7 +9,8 @@ main(int argc, char** argv)
   EgomotionOptions options;
   addOptions(tool, options);
   return tool.run(argc, argv, [&] {
-    const pcl::ObservationSequence sequence = observationsOf(options, tool.scale());
+    const pcl::ObservationSequence sequence =
+        observationsOf(options, tool.reader().getScale());
     tool.requireReportWritable(sequence.paths());
     estimatePoses(options, sequence, tool.controls(), tool.log());
     tool.setReportPlace(options.output + "/report.json");

@@ -17,7 +17,7 @@ inline constexpr int member_count<BoxFace> = 2;
 template <>
 inline constexpr int member_count<BoxPatch> = 8;
 template <>
-inline constexpr int member_count<CompactMap> = 13;
+inline constexpr int member_count<CompactMap> = 14;
 template <>
 inline constexpr int member_count<CylinderPatch> = 16;
 template <>
@@ -83,9 +83,9 @@ membersOf(Struct& value)
     auto& [a, b, c, d, e, f, g, h, i, j, k] = value;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k);
   }
-  else if constexpr (count == 13) {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = value;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
+  else if constexpr (count == 14) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
   }
   else {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = value;

@@ -150,7 +150,8 @@ toolsForInputs()
         "% holds planes: run pcl_plane_texturing % POSED_DIR -o map to paint them, or "
         "pcl_compact_viewer % to see them"}},
       {InputKind::Cloud,
-       {{"pcl_compact_mapping input",
+       {{"pcl_cloud_info input",
+         "pcl_compact_mapping input",
          "pcl_compact_viewer input",
          "pcl_dewall_surface input",
          "pcl_plane_extraction input",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/impl/size_text.h>
+#include <pcl/core/point_cloud_reader.h>
 #include <pcl/core/progress.h>
 #include <pcl/core/report.h>
 
@@ -44,8 +45,8 @@ struct StageLog {
 
 /** \brief How a stage runs: the options that all tools share. */
 struct RunControls {
-  unsigned threads = 0; ///< 0: all cores
-  double scale = 1;     ///< metres in a unit of the input
+  unsigned threads = 0;    ///< 0: all cores
+  PointCloudReader reader; ///< with what is stated of the input
   /** \brief Draws the progress bar; stops the run after an interruption. A bar begins
    * anew when the fraction falls. */
   ProgressCallback progress;

@@ -206,16 +206,6 @@ Tool::addSeed(std::uint64_t preset, const std::function<void(std::uint64_t)>& se
 }
 
 void
-Tool::addScale()
-{
-  app_->add_option("--scale",
-                   scale_,
-                   "Metres in a unit of the input: 0.001 for a file in millimetres")
-      ->type_name("M")
-      ->check(positiveNumber().description(""));
-}
-
-void
 Tool::addSensor(DepthSensor& sensor)
 {
   addChoice<DepthSensor>(
@@ -357,7 +347,7 @@ Tool::controls()
     last = fraction;
     return !interrupted();
   };
-  return {threads_, scale_, progress, quiet_, [this](const std::string& remark) {
+  return {threads_, reader_, progress, quiet_, [this](const std::string& remark) {
             warnAtOnce(remark);
           }};
 }

@@ -70,9 +70,12 @@ public:
   void
   addSeed(std::uint64_t preset, const std::function<void(std::uint64_t)>& set);
 
-  /** \brief Adds `--scale`. */
-  void
-  addScale();
+  /** \brief What is stated of the input, for options that bind its setters. */
+  PointCloudReader&
+  reader()
+  {
+    return reader_;
+  }
 
   /** \brief Adds `--sensor`. */
   void
@@ -98,13 +101,6 @@ public:
    * \param[in] work may throw the exceptions that \ref failureOf knows */
   int
   run(int argc, const char* const* argv, const std::function<void()>& work);
-
-  /** \brief Metres in a unit of the input. */
-  double
-  scale() const
-  {
-    return scale_;
-  }
 
   /** \brief Checks the path of the report, if there is one, as \ref requireWritable
    * does. */
@@ -164,7 +160,7 @@ private:
   std::string name_;
   std::unique_ptr<CLI::App> app_;
   unsigned threads_ = 0;
-  double scale_ = 1.0;
+  PointCloudReader reader_;
   std::vector<std::string> automatic_options_;
   std::string report_path_;
   bool quiet_ = false;

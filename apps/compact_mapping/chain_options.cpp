@@ -1,6 +1,7 @@
 #include "chain_options.h"
 
 #include "output_target.h"
+#include "reading_options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -143,7 +144,7 @@ addOptions(Tool& tool, ChainOptions& options)
                "disparities, one fit of the motion, voting on the entropy, and planes "
                "and colours of raw points, which takes long");
   tool.addThreads();
-  tool.addScale();
+  addReading(app, tool.reader());
   addSequenceOptions(tool, options);
   addMapOptions(tool, options);
 }
@@ -186,10 +187,12 @@ requireSense(Tool& tool, const ChainOptions& options, StartingPoint start)
         tool, egomotion_group, "is for observations without poses, and " + what);
   if (start == StartingPoint::Cloud)
     for (const char* group : {motion_group, rectification_group})
-      refuseGroup(tool, group, "is for observations, and " + what, "--up");
+      refuseGroup(tool, group, "is for observations, and " + what);
+  else if (tool.options().get_option("--sensor-at")->count() > 0)
+    throw UsageError("--sensor-at is for one cloud, and " + what);
   if (start == StartingPoint::Cloud && !options.truth.empty())
     throw UsageError("--truth is for observations, and " + what);
-  if (start == StartingPoint::Session && tool.scale() != 1)
+  if (start == StartingPoint::Session && tool.reader().getScale() != 1)
     throw UsageError("--scale is for point clouds, and " + what);
   if (!options.stereo.poses.empty())
     refuseGroup(tool, egomotion_group, "is not used where --poses are known");

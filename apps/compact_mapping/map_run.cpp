@@ -10,6 +10,7 @@
 #include "live_window.h"
 #include "map_stage.h"
 #include "memory.h"
+#include "reading_options.h"
 
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/exceptions.h>
@@ -156,11 +157,11 @@ MapRun::setInput(const MapInput& input)
   if (is_cloud)
     chain_.setInputCloud([this] { return loadCloud(); },
                          stateOfFile(options_.input) + " " +
-                             std::to_string(controls_.scale));
+                             textOf(values_(input_group)));
   else if (input.start == StartingPoint::Session || input.recorded)
     chain_.setFirstStage(observationStage(input));
   else
-    chain_.setInput(ObservationSequence(options_.input, controls_.scale),
+    chain_.setInput(ObservationSequence(options_.input, controls_.reader.getScale()),
                     input.start == StartingPoint::PosedObservations);
 }
 
@@ -173,7 +174,7 @@ MapRun::observationStage(const MapInput& input)
   stage.name = first_stage;
   stage.take = [this, input, folder, is_session](
                    ChainState& state, const ChainSettings&, const StageStore&) {
-    const double scale = is_session ? 1 : controls_.scale;
+    const double scale = is_session ? 1 : controls_.reader.getScale();
     state.observations.emplace(folder, scale);
     if (input.recorded)
       state.observations =
@@ -187,7 +188,7 @@ MapRun::observationStage(const MapInput& input)
             is_session ? stateOf(options_.input, filesIn(options_.input))
                        : stateOfFile(options_.input));
     key.add("options", textOf(values_(is_session ? stereo_group : bag_group)));
-    key.add("scale", controls_.scale);
+    key.add("scale", controls_.reader.getScale());
     if (!options_.stereo.poses.empty())
       key.add("poses", stateOfFile(options_.stereo.poses));
   };
@@ -224,16 +225,10 @@ MapRun::loadCloud()
 {
   ChainCloud cloud;
   const auto file = std::make_shared<PointCloudFile>();
-  cloud.rows = loadCloudRows(options_.input, controls_.scale, *file);
-  const std::optional<Eigen::Vector3d>& up = options_.rectification.up;
-  if (up && file->sensor_origin.isZero(0))
-    file->up = up->normalized().cast<float>();
-  if (up)
-    cloud.up = up->normalized();
-  else if (file->up)
-    cloud.up = file->up->cast<double>();
+  cloud.rows = controls_.reader.readRows(options_.input, *file);
   requirePoints(cloud.rows);
-  cloud.viewpoints = viewpointsOfFile(*file, options_.input, controls_.scale, map_log_);
+  cloud.viewpoints =
+      viewpointsOfFile(*file, options_.input, controls_.reader.getScale(), map_log_);
   cloud.file = file;
   return cloud;
 }
@@ -247,8 +242,8 @@ MapRun::mapStage(bool has_pictures, bool is_cloud)
   stage.key = [this, has_pictures, is_cloud](
                   const ChainState&, const ChainSettings&, StageKey& key) {
     Json values = values_(map_group);
-    if (is_cloud) // its up direction is not used before the map
-      values.update(values_(rectification_group));
+    if (is_cloud) // what is stated of it is not used before the map
+      values.update(values_(input_group));
     values.erase("--no-pictures");
     key.add("options", textOf(values));
     key.add("pictures", has_pictures ? "yes" : "no");

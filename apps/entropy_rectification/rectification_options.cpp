@@ -1,5 +1,6 @@
 #include "rectification_options.h"
 
+#include "reading_options.h"
 #include "setter_option.h"
 
 #include <CLI/CLI.hpp>
@@ -44,8 +45,9 @@ addInputs(Tool& tool, RectificationOptions& options)
                "Write the observations too, each with its new pose, so that OUT_DIR "
                "goes into the next tool")
       ->excludes(log);
-  tool.addScale();
+  addScale(app, tool.reader());
   app.get_option("--scale")->excludes(log);
+  addUp(app, tool.reader(), "; the map is turned until the nearest axis points there");
 }
 
 void
@@ -64,33 +66,6 @@ addOdometryNoise(CLI::App& app, RectificationOptions& options)
       "+ 3 % and 0.34 degrees + 2 %]",
       "M DEG")
       ->expected(2);
-}
-
-/** The direction of x, -x, y, -y, z or -z, or of three numbers with commas.
- * \throws CLI::ValidationError for other texts */
-Eigen::Vector3d
-directionOf(const std::string& text)
-{
-  const bool is_opposite = !text.empty() && text[0] == '-';
-  const std::string axis = text.substr(is_opposite ? 1 : 0);
-  if (axis == "x" || axis == "y" || axis == "z")
-    return (is_opposite ? -1 : 1) * Eigen::Vector3d::Unit(axis[0] - 'x');
-  std::istringstream numbers(text);
-  numbers.imbue(std::locale::classic());
-  Eigen::Vector3d direction;
-  char comma = ',';
-  for (int i = 0; i < 3; ++i) {
-    if (i > 0)
-      numbers >> comma;
-    if (comma != ',' || !(numbers >> direction[i]))
-      numbers.setstate(std::ios::failbit);
-  }
-  const bool is_complete = numbers && numbers.peek() == EOF;
-  if (!is_complete || !direction.allFinite() || direction.isZero(0))
-    throw CLI::ValidationError("--up",
-                               text + " is no direction: x, y, z, one of these with a "
-                                      "minus, or three numbers as 0.1,-1,0");
-  return direction.normalized();
 }
 
 } // namespace
@@ -117,14 +92,6 @@ addRectificationChoices(Tool& tool, RectificationOptions& options)
             "M")
       ->default_str("0.05, of a log 0.1");
   addOdometryNoise(app, options);
-  app.add_option_function<std::string>(
-         "--up",
-         [&options](const std::string& text) { options.up = directionOf(text); },
-         "Direction of the input that points up, as z, -y or 0.1,-1,0; the map is "
-         "turned until the nearest axis points there [default: found from floors and "
-         "walls]")
-      ->type_name("DIRECTION")
-      ->default_str("");
   tool.addSeed(options.stage.getSeed(),
                [&options](std::uint64_t seed) { options.stage.setSeed(seed); });
 }

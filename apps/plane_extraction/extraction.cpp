@@ -297,6 +297,8 @@ tellMapping(const PlaneMappingReport& report, StageLog& log)
 {
   log.warn(report.remarks);
   log.details["mode"] = nameIn(mapping_mode_names, report.mode);
+  if (report.assessment)
+    tellAssessment(*report.assessment, log);
   log.details["consolidated_points"] = report.consolidated_points;
   if (report.depth_planes)
     tellInPicture(report, log);
@@ -458,6 +460,9 @@ surfacesOf(const MappedPlanes& found)
   map.cylinders = found.cylinders;
   map.boxes = found.boxes;
   map.recesses = found.recesses;
+  if (found.up)
+    map.up = found.up->cast<double>().normalized();
+  map.assumed_up = found.assumed_up.cast<double>();
   return map;
 }
 

@@ -1,6 +1,7 @@
 #include "egomotion_options.h"
 
 #include "output_target.h"
+#include "reading_options.h"
 #include "setter_option.h"
 
 #include <pcl/pipeline/observation_files.h>
@@ -102,7 +103,7 @@ addOptions(Tool& tool, EgomotionOptions& options)
                  options.truth,
                  "True poses in TUM's form to compare with, a row an observation")
       ->type_name("TRAJECTORY.txt");
-  tool.addScale();
+  addScale(app, tool.reader());
   tool.addThreads();
 }
 

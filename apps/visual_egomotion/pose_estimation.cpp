@@ -501,7 +501,7 @@ estimatePoses(const EgomotionOptions& options,
   const ObservationList list = listObservations(options, sequence, log);
   Poses truth;
   if (!options.truth.empty())
-    truth = loadTruth(options.truth, list.names, controls.scale, log);
+    truth = loadTruth(options.truth, list.names, controls.reader.getScale(), log);
   OutputFolder folder(options.output);
   requireFit(folder, sequence);
   timer.finish("list");

@@ -262,7 +262,7 @@ TEST(CompactMapping, PlacesThatCannotBeAreRefused)
                 2,
                 "--help");
   expectRefused(
-      runMapping({corridor().session, "-o", folder.path("m"), "--texel", "0"}),
+      runMapping({corridor().session, "-o", folder.path("m"), "--texel", "-1"}),
       2,
       "--texel");
   expectRefused(runMapping({corridor().session,

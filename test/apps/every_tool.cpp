@@ -135,6 +135,7 @@ rows()
        "observations"},
       rowOfGrabber("pcl_camera_grabber"),
       rowOfChain("session"),
+      {"pcl_cloud_info", {"<cloud.pcd"}},
       {"pcl_compact_viewer", {"<map", "--screenshot", ">picture.png"}, "", true},
       {"pcl_dewall_surface", {"<cloud.pcd", ">mesh.ply", "--consolidate"}},
       {"pcl_dewall_surface", {"<cloud.pcd", ">mesh.vtk", "--consolidate"}},

@@ -18,6 +18,7 @@
 
 #include <cxxabi.h>
 
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -59,6 +60,10 @@ using Structs = std::tuple<AbsoluteTrajectoryError,
                            CameraGrabberReport,
                            CameraState,
                            ChannelOrderCheck,
+                           CloudAssessmentReport,
+                           CloudAssessmentReport::Colors,
+                           CloudAssessmentReport::Noise,
+                           CloudAssessmentReport::Unit,
                            CompactMappingReport,
                            ConsolidationReport,
                            CylinderClusteringReport,
@@ -103,6 +108,7 @@ using Structs = std::tuple<AbsoluteTrajectoryError,
                            TrinocularMatchingReport,
                            TrinocularRectificationReport,
                            TrinocularShot,
+                           UpEvidence,
                            VisualOdometryResult,
                            VotingReport,
                            registration::LogPolarReport,
@@ -223,7 +229,7 @@ TEST(ReportFields, AllReportsAreChecked)
   const auto add = [&](const auto& fields) {
     const std::string name = nameOfType<std::decay_t<decltype(fields)>>();
     const std::size_t colon = name.rfind("::");
-    const bool is_inner = name.find("NoiseScale::") == 0;
+    const bool is_inner = std::isupper(static_cast<unsigned char>(name.front()));
     checked.insert(colon == std::string::npos || is_inner ? name
                                                           : name.substr(colon + 2));
   };

@@ -131,7 +131,19 @@ TEST_F(MapFile, FloatsComeBackToTheBit)
   expectSamePlanes(reloaded(map), map);
 }
 
-TEST_F(MapFile, PlanesAloneAreWrittenAsEver)
+TEST_F(MapFile, AnAssumedUpDirectionIsNone)
+{
+  CompactMap map = makeSampleMap();
+  map.up.setZero();
+  map.assumed_up = Eigen::Vector3d::UnitY();
+  const CompactMap back = reloaded(map);
+  EXPECT_EQ(back.up, Eigen::Vector3d::Zero());
+  EXPECT_EQ(back.assumed_up, Eigen::Vector3d::UnitY());
+  map.assumed_up *= 2;
+  EXPECT_THROW(reloaded(map), BadArgumentException);
+}
+
+TEST_F(MapFile, PlanesAloneAreWrittenAsEverWithUpAndShift)
 {
   CompactMap map = load(old_file);
   ASSERT_EQ(map.planes.size(), 2u);
@@ -144,6 +156,7 @@ TEST_F(MapFile, PlanesAloneAreWrittenAsEver)
   saveMapFile(folder_.path("again.json"), map);
   std::string wanted = old_file;
   wanted.replace(wanted.find("0.1.0"), 5, ACMAP_VERSION);
+  wanted.insert(wanted.find(R"("planes")"), R"("up":null,"shift":[0.0,0.0,0.0],)");
   EXPECT_EQ(contentOf(folder_.path("again.json")), [&] {
     // The float closest to 16777217 is 16777216.
     return wanted.replace(wanted.find("16777217"), 8, "16777216");

@@ -15,8 +15,7 @@ namespace {
 /** What the tests ask of the planes of a scan. */
 struct Judgement {
   double area = 0, facing = 0; ///< square metres, of all outlines
-  double unsupported =
-      0; ///< planes whose outline is more than twice their triangles
+  double unsupported = 0; ///< planes whose outline is more than twice their triangles
   std::size_t through_sensor = 0;
 };
 
@@ -94,8 +93,8 @@ TEST(MultibeamScan, facesItsSensorAndClaimsNothingBetweenRings)
       mapping.setInputCloud(makeScan(beams, noise));
       MappedPlanes found;
       mapping.compute(found);
-      ASSERT_TRUE(mapping.getReport().sensor);
-      EXPECT_EQ(mapping.getReport().sensor->outcome, SensorOutcome::Proved);
+      ASSERT_TRUE(mapping.getReport().assessment);
+      EXPECT_EQ(mapping.getReport().assessment->sensors.outcome, SensorOutcome::Proved);
       const Judgement judged = judge(found);
       EXPECT_GE(found.planes.size(), 5U) << beams << " " << noise;
       EXPECT_GT(judged.facing, 0.99 * judged.area) << beams << " " << noise;
@@ -117,7 +116,7 @@ TEST(MultibeamScan, hasPlanesThroughTheOriginIfNoSensorWasThere)
   mapping.setInputCloud(corner);
   MappedPlanes found;
   mapping.compute(found);
-  EXPECT_FALSE(mapping.getReport().sensor->isKnown());
+  EXPECT_FALSE(mapping.getReport().assessment->sensors.isKnown());
   ASSERT_EQ(found.planes.size(), 2U);
   EXPECT_EQ(judge(found).through_sensor, 2U);
 }

@@ -53,6 +53,27 @@ uglyPlaneExtraction()
 }
 
 UglyTool
+uglyCloudInfo()
+{
+  const std::string output = "report.json";
+  const auto command = [output](const std::string& file) {
+    return std::vector<std::string>{file, "--report", output};
+  };
+  return {"pcl_cloud_info",
+          output,
+          false,
+          false,
+          cloudCases(command,
+                     {{nan_points, {4, "nan.pcd"}},
+                      {one_point, well},
+                      {doubled_points, well},
+                      {vast_points, {0, "cannot be metres"}},
+                      {far_points, {0, "in steps of"}},
+                      {millimetre_points, {0, "looks like millimetres"}},
+                      {odd_cloud, well}})};
+}
+
+UglyTool
 uglyCompactViewer()
 {
   const std::string output = "picture.png";

@@ -17,6 +17,7 @@ uglyTools()
                                  uglyLinePattern(),
                                  uglyPaperFigures(),
                                  uglyPlaneExtraction(),
+                                 uglyCloudInfo(),
                                  uglyPlaneTexturing(),
                                  uglyRgbdImport(),
                                  uglyRigCalibration(),

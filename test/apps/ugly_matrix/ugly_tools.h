@@ -13,6 +13,9 @@ UglyTool
 uglyPlaneExtraction();
 
 UglyTool
+uglyCloudInfo();
+
+UglyTool
 uglyCompactViewer();
 
 UglyTool

@@ -180,24 +180,25 @@ contrastOfRows(const Rays& rays,
   return {static_cast<double>(beside) / static_cast<double>(here.bins), here.rows};
 }
 
-/** Triples of consecutive points from windows all over the file. */
+/** Triples of consecutive points from windows all over the file; what is no point in
+ * between is left out. */
 std::vector<std::array<Vector3d, 3>>
 tripletsOf(const PointView& points, const Vector3d& position)
 {
   constexpr std::size_t windows = 512, length = 64;
   const std::size_t stride = std::max(length, points.size() / windows);
   std::vector<std::array<Vector3d, 3>> triplets;
-  for (std::size_t begin = 0; begin + length <= points.size(); begin += stride)
-    for (std::size_t i = begin; i + 2 < begin + length; ++i) {
-      std::array<Vector3d, 3> triplet;
-      bool is_valid = true;
-      for (std::size_t k = 0; k < 3; ++k) {
-        triplet[k] = points[i + k].cast<double>() - position;
-        is_valid = is_valid && triplet[k].allFinite() && !triplet[k].isZero(0);
-      }
-      if (is_valid)
-        triplets.push_back(triplet);
-    }
+  for (std::size_t begin = 0; begin + length <= points.size(); begin += stride) {
+    std::vector<Vector3d> rays;
+    for (std::size_t i = begin;
+         i < std::min(begin + stride, points.size()) && rays.size() < length;
+         ++i)
+      if (const Vector3d ray = points[i].cast<double>() - position;
+          ray.allFinite() && !ray.isZero(0))
+        rays.push_back(ray);
+    for (std::size_t i = 0; i + 2 < rays.size(); ++i)
+      triplets.push_back({rays[i], rays[i + 1], rays[i + 2]});
+  }
   return triplets;
 }
 

@@ -181,6 +181,7 @@ readObj(ByteSource& source)
     source.fail("has no vertex: no line begins with 'v'");
   const bool coloured = colours.size() == points.size();
   PointCloudFile file = makeCloud(points, coloured, source);
+  file.usual_up = Eigen::Vector3f::UnitY();
   if (coloured)
     storeColours(colours, file.cloud);
   else if (!colours.empty())

@@ -29,6 +29,13 @@ public:
   bool
   has(const char* key) const;
 
+  /** \brief The same, and the value is not null. */
+  bool
+  hasValue(const char* key) const
+  {
+    return has(key) && !at(key).value_->is_null();
+  }
+
   /** \brief Number of elements of an array. */
   std::size_t
   size() const;

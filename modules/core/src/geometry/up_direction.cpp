@@ -143,46 +143,17 @@ isLevel(const Vector3d& up, const Vector3d& axis)
   return up.dot(axis) > std::cos(0.5 * degree);
 }
 
-Vector3d
-probableUpAxis(const Eigen::Array3d& spread, const Eigen::Array3d& along)
-{
-  return spread.z() < spread.y() && along.z() > along.y()
-             ? Vector3d(Vector3d::UnitZ())
-             : Vector3d(-Vector3d::UnitY());
-}
-
-Vector3d
-probableUpAxis(const PointView& points, const PointView& normals)
-{
-  constexpr std::size_t wanted = 1 << 16;
-  const std::size_t stride = points.size() / wanted + 1;
-  Eigen::Array3d sum = Eigen::Array3d::Zero(), squares = sum, along = sum;
-  double count = 0;
-  for (std::size_t i = 0; i < points.size(); i += stride) {
-    const Eigen::Array3d point = points[i].cast<double>().array();
-    if (!point.allFinite())
-      continue;
-    sum += point;
-    squares += point.square();
-    along +=
-        (normals[i].cast<double>().array().abs() > cosine_along_axis).cast<double>();
-    ++count;
-  }
-  return probableUpAxis(squares / count - (sum / count).square(), along);
-}
-
 std::optional<Vector3d>
 upWithoutSensors(const CloudRows& cloud,
-                 const std::optional<Eigen::Vector3f>& up,
+                 const UpEvidence& up,
+                 bool has_sensor,
                  bool sensors_fit)
 {
   if (findField(cloud.layout(), "view", PCLPointField::INT32))
     return std::nullopt;
-  if (up)
-    return up->cast<double>();
-  if (sensors_fit || cloud.size() == 0)
+  if (has_sensor ? sensors_fit : !up.isKnown() && sensors_fit)
     return std::nullopt;
-  return probableUpAxis(requirePoints(cloud), normalsOf(cloud));
+  return up.value;
 }
 
 } // namespace pcl::acmap

@@ -359,10 +359,10 @@ acmap::writeMap(const CompactMap& map, const Write& write)
   write(",\"unit\":\"m\",\"frame\":\"of the input\"");
   if (map.exposure != 1)
     write(",\"exposure\":" + Json(map.exposure).dump());
-  if (map.up.norm() > 0)
-    write(",\"up\":" + jsonOf(map.up).dump());
-  if (!map.shift.isZero(0))
-    write(",\"shift\":" + jsonOf(map.shift).dump());
+  write(",\"up\":" + (map.up.isZero(0) ? Json() : jsonOf(map.up)).dump());
+  if (map.up.isZero(0) && !map.assumed_up.isZero(0))
+    write(",\"assumed_up\":" + jsonOf(map.assumed_up).dump());
+  write(",\"shift\":" + jsonOf(map.shift).dump());
   write(",\"planes\":[");
   writeLines(write, map.planes.size(), [&](std::size_t id) {
     Json plane = jsonOf(map.planes[id], id);

@@ -356,8 +356,9 @@ requireConsistent(const CompactMap& map)
   if (const std::string fault = faultOfExposure(map.exposure); !fault.empty())
     throw acmap::BadArgument("exposure = " + std::to_string(map.exposure) +
                              " of a map " + fault);
-  if (const std::string fault = faultOfUp(map.up); !fault.empty())
-    throw acmap::BadArgument("the up direction of a map " + fault);
+  for (const Eigen::Vector3d& up : {map.up, map.assumed_up})
+    if (const std::string fault = faultOfUp(up); !fault.empty())
+      throw acmap::BadArgument("the up direction of a map " + fault);
   if (!map.shift.allFinite())
     throw acmap::BadArgument("the shift of a map is not finite");
   for (std::size_t i = 0; i < map.planes.size(); ++i)

@@ -480,10 +480,12 @@ acmap::readMap(const std::string& name, ByteSource& source)
     map.exposure = file.at("exposure").number();
     requireNone(faultOfExposure(map.exposure), file.at("exposure"));
   }
-  if (file.has("up")) {
-    map.up = file.at("up").vector<3>();
-    requireNone(faultOfUp(map.up), file.at("up"));
-  }
+  for (const auto& [key, up] :
+       {std::pair("up", &map.up), std::pair("assumed_up", &map.assumed_up)})
+    if (file.hasValue(key)) {
+      *up = file.at(key).vector<3>();
+      requireNone(faultOfUp(*up), file.at(key));
+    }
   if (file.has("shift"))
     map.shift = file.at("shift").vector<3>();
   map.observations.resize(planes.size());

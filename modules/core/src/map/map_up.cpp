@@ -60,11 +60,22 @@ spreadOf(const CompactMap& map)
 Eigen::Array3d
 areasAlongAxes(const CompactMap& map)
 {
+  constexpr double along = 0.97; // cosine
   Eigen::Array3d areas = Eigen::Array3d::Zero();
   for (const acmap::FacingArea& facing : facingsOf(map))
-    areas += facing.area *
-             (facing.normal.array().abs() > acmap::cosine_along_axis).cast<double>();
+    areas += facing.area * (facing.normal.array().abs() > along).cast<double>();
   return areas;
+}
+
+/** \brief z if the extent along z is smaller than along y and the area of horizontal planes
+ * is larger with respect to z; otherwise -y, as in a camera frame. */
+Vector3d
+probableUpAxis(const CompactMap& map)
+{
+  const Eigen::Array3d spread = spreadOf(map), along = areasAlongAxes(map);
+  return spread.z() < spread.y() && along.z() > along.y()
+             ? Vector3d(Vector3d::UnitZ())
+             : Vector3d(-Vector3d::UnitY());
 }
 
 } // namespace
@@ -78,7 +89,9 @@ upAxis(const CompactMap& map)
   const Vector3d cameras = upOfCameras(map.trajectory);
   if (cameras.cwiseAbs().maxCoeff(&axis) > 0)
     return std::copysign(1.0, cameras[axis]) * Vector3d::Unit(axis);
-  return acmap::probableUpAxis(spreadOf(map), areasAlongAxes(map));
+  if (map.assumed_up.cwiseAbs().maxCoeff(&axis) > 0)
+    return std::copysign(1.0, map.assumed_up[axis]) * Vector3d::Unit(axis);
+  return probableUpAxis(map);
 }
 
 Eigen::Vector3d
@@ -88,7 +101,9 @@ upDirection(const CompactMap& map)
     return map.up.normalized();
   const Vector3d axis = upAxis(map);
   const Vector3d cameras = upOfCameras(map.trajectory);
-  const Vector3d expected = cameras.norm() > 0.1 ? cameras.normalized() : axis;
+  const Vector3d expected = cameras.norm() > 0.1        ? cameras.normalized()
+                            : map.assumed_up.norm() > 0 ? map.assumed_up
+                                                        : axis;
   const acmap::UpEstimate found =
       acmap::estimateUp(facingsOf(map), expected, acmap::up_tolerance);
   return found.share < acmap::min_up_share || acmap::isLevel(found.up, axis) ? axis

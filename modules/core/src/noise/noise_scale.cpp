@@ -259,6 +259,7 @@ measureRangeNoise(const PointView& points,
 struct ScaleLevel {
   double edge = 0;
   double thickness = 0;
+  double thinner = 0, thicker = 0; ///< 95 % interval of the thickness
   double spacing = 0;
   double sparse_spacing = 0;
   double occupancy = 0;    ///< points per voxel
@@ -279,6 +280,21 @@ midmean(std::vector<double>& values)
   for (std::size_t i = quarter; i < values.size() - quarter; ++i)
     sum += values[i];
   return sum / static_cast<double>(values.size() - 2 * quarter);
+}
+
+/** An end of the 95 % interval of the middle of sorted values, by their order: neighbouring
+ * windows share points, so that no more than some are counted.
+ * \param[in] end -1: the lower, 1: the upper one */
+double
+orderAt(const std::vector<double>& sorted, double end)
+{
+  constexpr double most = 400;
+  if (sorted.empty())
+    return 0;
+  const auto last = static_cast<double>(sorted.size() - 1);
+  const double half = 1 / std::sqrt(std::min(last + 1, most));
+  return sorted[static_cast<std::size_t>(std::clamp(0.5 + end * half, 0.0, 1.0) * last +
+                                         0.5)];
 }
 
 /** Does the plane pass through the middle voxel, so that the window contains the noise
@@ -361,6 +377,8 @@ measureLevel(const VoxelMoments& voxels)
   level.edge = voxels.lattice.edge();
   level.planes = all.thickness.size();
   level.thickness = midmean(all.thickness) * level.edge;
+  level.thinner = std::min(level.thickness, orderAt(all.thickness, -1) * level.edge);
+  level.thicker = std::max(level.thickness, orderAt(all.thickness, 1) * level.edge);
   level.sparse_spacing = quantileOf(all.spacing, 0.75) * level.edge;
   double points = 0;
   for (const VoxelCell& cell : voxels.cells)
@@ -505,6 +523,8 @@ setSigma(const ScaleLevel& fine, const ScaleLevel& coarse, NoiseScale& scale)
   }
   scale.confidence *= thickness / fine.thickness;
   scale.sigma = thickness;
+  const double share = thickness / fine.thickness;
+  scale.interval = {share * fine.thinner, share * fine.thicker};
 }
 
 /** Sets the result for a cloud with few planes, or whose thickness grows at every
@@ -587,6 +607,8 @@ verify(const PointView& points, unsigned threads, NoiseScale& scale)
     return;
   scale = {};
   scale.sigma = alone.sigma;
+  if (alone.sigma > 0)
+    scale.interval = {alone.low, alone.high};
   scale.spacing = scale.sparse_spacing = alone.spacing;
   scale.confidence =
       alone.is_determined

@@ -286,8 +286,7 @@ runMerging(ChainState& state,
   merging.compute(*state.observations, merged);
   state.report.merging = merging.getReport();
   addRemarks(state.stage, state.report.merging.remarks);
-  state.cloud = {
-      std::move(merged.cloud), nullptr, std::move(merged.viewpoints), std::nullopt};
+  state.cloud = {std::move(merged.cloud), nullptr, std::move(merged.viewpoints)};
   timer.finish("read");
 }
 
@@ -302,6 +301,8 @@ runPlanes(ChainState& state,
   PlaneMapping planes = settings.planes;
   planes.setInputCloud(state.cloud.rows, state.cloud.file);
   planes.setViewpoints(state.cloud.viewpoints);
+  if (const auto& up = settings.levelling.getUpDirection(); up && !state.observations)
+    planes.setUpDirection(*up);
   if (state.observations)
     planes.setDepthSensor(
         sensorOfMerged(planes.getDepthSensor(), state.cloud.viewpoints.size()));
@@ -380,7 +381,9 @@ runTexturing(ChainState& state,
     map.shift = state.observations->shift();
   }
   else {
-    map.up = state.cloud.up.value_or(Eigen::Vector3d::Zero());
+    if (found.up)
+      map.up = found.up->cast<double>().normalized();
+    map.assumed_up = found.assumed_up.cast<double>();
     map.shift = state.cloud.file->shift;
   }
   setRooms(makeFloorPlan(map), map);

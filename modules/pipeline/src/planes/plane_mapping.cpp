@@ -1,6 +1,7 @@
 #include "part_of_progress.h"
 #include "planes/replaced_planes.h"
 
+#include <pcl/core/cloud_assessment.h>
 #include <pcl/core/cylinder_rims.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
@@ -8,6 +9,7 @@
 #include <pcl/core/impl/large_memory.h>
 #include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/impl/mesh_input.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/impl/up_direction.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/pipeline/picture.h>
@@ -71,6 +73,54 @@ rowsOfIndices(const CloudRows& rows, const Indices& indices)
   return {std::move(layout), std::move(kept)};
 }
 
+/** The points but those at (0, 0, 0), which invalid ones are in files of some programs, if
+ * these are more than one of a thousand: a sensor there never measures itself. */
+std::optional<Indices>
+withoutZeros(const PointView& points)
+{
+  constexpr std::size_t few = 1000; // one of so many
+  std::size_t zeros = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    zeros += points[i].isZero(0);
+  if (zeros * few <= points.size() || zeros == points.size())
+    return std::nullopt;
+  Indices kept;
+  kept.reserve(points.size() - zeros);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!points[i].isZero(0))
+      kept.push_back(static_cast<index_t>(i));
+  return kept;
+}
+
+/** The rows of some points, in their order, not organized. */
+CloudRows
+someRows(const CloudRows& rows, const Indices& indices)
+{
+  PCLPointCloud2 layout = layoutWith(rows.layout(), {});
+  layout.width = static_cast<std::uint32_t>(indices.size());
+  layout.height = 1;
+  layout.is_dense = rows.layout().is_dense;
+  const std::size_t step = layout.point_step;
+  LargeVector<std::uint8_t> kept(indices.size() * step);
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    std::memcpy(&kept[i * step],
+                rows.data() + static_cast<std::size_t>(indices[i]) * step,
+                step);
+  return {std::move(layout), std::move(kept)};
+}
+
+/** Labels of some points become those of all points, -1 for the others. */
+void
+spreadLabels(const Indices& indices, std::size_t points, PointLabels& labels)
+{
+  if (labels.empty())
+    return;
+  PointLabels all(points, -1);
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    all[static_cast<std::size_t>(indices[i])] = labels[i];
+  labels = std::move(all);
+}
+
 /** The points for a mesh construction of PCL; fields that they lack are zero. */
 VertexCloud::Ptr
 verticesOf(const CloudRows& rows, const PointCloudFile& file)
@@ -120,6 +170,7 @@ public:
   fromMesh(TriangleMesh mesh)
   {
     MappedPlanes result = emptyResult();
+    assess({});
     result.vertices = wholeRows();
     result.mesh = std::move(mesh);
     vote({}, std::nullopt, result);
@@ -135,6 +186,9 @@ public:
   inSpace(const std::vector<Eigen::Vector3f>& viewpoints)
   {
     MappedPlanes result = emptyResult();
+    const bool knows_views = namesViews() && !viewpoints.empty();
+    if (!knows_views)
+      assess(viewpoints);
     const std::vector<Eigen::Vector3f> sensors =
         namesViews() ? viewpoints : singleSensor();
     Indices vertex_of_point;
@@ -163,6 +217,7 @@ public:
   inPicture(const Picture& picture)
   {
     MappedPlanes result = emptyResult();
+    assessPicture();
     PlaneMapping::DepthSegmentation segmentation = mapping_.getDepthSegmentation();
     segmentation.setInputCloud(picture.points);
     prepare(segmentation, 0, 0.4);
@@ -184,6 +239,17 @@ public:
     result.vertex_labels = labels;
     findCylinders(rows_, {file_.sensor_origin}, result);
     return result;
+  }
+
+  /** Sets the up direction of what was found, if it is known. */
+  void
+  setUp(MappedPlanes& result) const
+  {
+    const UpEvidence up = upEvidence();
+    if (up.isKnown())
+      result.up = up.value.cast<float>();
+    else if (report_.assessment)
+      result.assumed_up = up.value.cast<float>();
   }
 
   /** Finds boxes and recesses among the planes, if these are requested. */
@@ -213,12 +279,53 @@ private:
     return findField(rows_.layout(), "view", PCLPointField::INT32);
   }
 
-  /** Asks the points of a cloud without views for their sensor; none if it is not known. */
-  std::vector<Eigen::Vector3f>
-  singleSensor()
+  void
+  assess(const std::vector<Eigen::Vector3f>& viewpoints)
   {
-    report_.sensor = sensorEvidence(rows_, file_);
-    if (!report_.sensor->isKnown())
+    CloudAssessment assessment;
+    // which the caller keeps alive
+    assessment.setInputCloud(
+        rows_, std::shared_ptr<const PointCloudFile>(std::shared_ptr<void>(), &file_));
+    assessment.setViewpoints(viewpoints);
+    if (const auto& up = mapping_.getUpDirection())
+      assessment.setUpDirection(*up);
+    prepare(assessment, 0, 0);
+    assessment.compute();
+    report_.assessment = assessment.getReport();
+    measured_scale_ = assessment.getNoiseScale();
+    finish("assessment");
+  }
+
+  /** A camera's picture: its frame is that of the camera. */
+  void
+  assessPicture()
+  {
+    CloudAssessmentReport& assessment = report_.assessment.emplace();
+    assessment.points = assessment.finite_points = rows_.size();
+    assessment.columns = rows_.layout().height > 1 ? rows_.layout().width : 0;
+    assessment.sensors = {SensorOutcome::Proved, 1, "the pixels of a picture", 0};
+    if (const auto& up = mapping_.getUpDirection())
+      assessment.up = {UpOutcome::Stated, *up, 1, "stated"};
+    else if (file_.up)
+      assessment.up = {UpOutcome::Stated, file_.up->cast<double>(), 1, "stated"};
+    else
+      assessment.up = {UpOutcome::Assumed,
+                       -Eigen::Vector3d::UnitY(),
+                       0,
+                       "a picture in the frame of its camera"};
+  }
+
+  bool
+  hasSensor() const
+  {
+    return report_.assessment && report_.assessment->sensors.isKnown();
+  }
+
+  /** The sensor of a cloud without views; none if it is not known. */
+  std::vector<Eigen::Vector3f>
+  singleSensor() const
+  {
+    if (!hasSensor())
       return {};
     return {file_.sensor_origin};
   }
@@ -259,9 +366,11 @@ private:
           sensors.empty() ? std::nullopt : std::make_optional(sensors.front());
       const Progress progress(progress_);
       progress.tell(0, "noise scale");
-      report_.noise_scale = measureNoiseScale(requirePoints(rows_),
-                                              sensorsOf(rows_, sensors, known),
-                                              mapping_.getNumberOfThreads());
+      report_.noise_scale = measured_scale_
+                                ? *measured_scale_
+                                : measureNoiseScale(requirePoints(rows_),
+                                                    sensorsOf(rows_, sensors, known),
+                                                    mapping_.getNumberOfThreads());
       if (report_.noise_scale->inverse_depth || !report_.noise_scale->is_determined)
         report_.remarks.push_back(report_.noise_scale->remarks.front());
       finish("noise scale");
@@ -325,7 +434,8 @@ private:
       DeWallTriangulation<PCLPointCloud2> dewall;
       static_cast<DeWallParameters&>(dewall) = *given;
       dewall.setInputCloud(result.vertices);
-      if (!report_.sensor || report_.sensor->outcome == SensorOutcome::Stated)
+      if (!report_.assessment || report_.depth_planes ||
+          report_.assessment->sensors.outcome == SensorOutcome::Stated)
         dewall.setSensorOrigin(file_.sensor_origin);
       if (isConsolidatedScan())
         dewall.setScan(rows_, mesh_edge_in_voxels * report_.consolidation->voxel_size);
@@ -344,7 +454,8 @@ private:
   bool
   isProved() const
   {
-    return report_.sensor && report_.sensor->outcome == SensorOutcome::Proved;
+    return report_.assessment && !report_.depth_planes &&
+           report_.assessment->sensors.outcome == SensorOutcome::Proved;
   }
 
   /** Can the surface have been seen from its sensors? The rays prove it better than the
@@ -366,9 +477,8 @@ private:
   void
   runDeWall(DeWall& dewall, MappedPlanes& result)
   {
-    const bool has_sensor = report_.sensor && report_.sensor->isKnown();
-    if (const auto up = upWithoutSensors(
-            result.vertices, has_sensor ? std::nullopt : file_.up, sensorsFit()))
+    if (const auto up =
+            upWithoutSensors(result.vertices, upEvidence(), hasSensor(), sensorsFit()))
       dewall.setUpDirection(*up);
     constexpr bool takes_scan =
         std::is_same_v<DeWall, DeWallTriangulation<PCLPointCloud2>>;
@@ -465,8 +575,19 @@ private:
     MappedPlanes result;
     result.sensor_origin = file_.sensor_origin;
     result.sensor_orientation = file_.sensor_orientation;
-    result.up = file_.up;
     return result;
+  }
+
+  /** The up direction, by what is known of it. */
+  UpEvidence
+  upEvidence() const
+  {
+    if (report_.assessment)
+      return report_.assessment->up;
+    UpEvidence up;
+    if (const auto& given = mapping_.getUpDirection())
+      up = {UpOutcome::Stated, *given, 1, "stated"};
+    return up;
   }
 
   /** The points of the input as vertices, which no other process has. */
@@ -500,7 +621,43 @@ private:
   ProgressCallback progress_;
   PlaneMappingReport& report_;
   StepTimer timer_;
+  std::optional<NoiseScale> measured_scale_; ///< by the assessment
 };
+
+} // namespace
+
+namespace {
+
+/** Says where the planes contradict the noise that was measured, or are few. */
+void
+remarkContradictions(const MappedPlanes& found, PlaneMappingReport& report)
+{
+  constexpr double times = 3, most = 0.5, few = 0.2;
+  const std::optional<NoiseScale>& scale = report.noise_scale;
+  const double limit =
+      scale && scale->is_determined ? times * scale->sigma : 0; // 0: not known
+  double area = 0, rough_area = 0, roughest = 0;
+  for (const PlanePatch& plane : found.planes) {
+    area += plane.area;
+    rough_area += plane.rms > limit ? plane.area : 0;
+    roughest = std::max(roughest, plane.rms);
+  }
+  if (limit > 0 && rough_area > most * area)
+    report.remarks.push_back(
+        shortNumber(100 * rough_area / area) +
+        " % of the area of the planes is rougher than " + shortNumber(times) +
+        " times the noise of " + shortNumber(1000 * scale->sigma) +
+        " mm, the roughest by " + shortNumber(1000 * roughest) +
+        " mm: they may be several surfaces (setDistanceThreshold, --tolerance)");
+  const auto on_planes = static_cast<double>(
+      std::count_if(found.labels.begin(), found.labels.end(), [](std::int32_t label) {
+        return label >= 0;
+      }));
+  const auto points = static_cast<double>(found.finite_points);
+  if (!found.planes.empty() && on_planes < few * points)
+    report.remarks.push_back("only " + shortNumber(100 * on_planes / points) +
+                             " % of the points are on planes");
+}
 
 } // namespace
 
@@ -539,6 +696,12 @@ PlaneMapping::setViewpoints(std::vector<Eigen::Vector3f> viewpoints)
 }
 
 void
+PlaneMapping::setUpDirection(const Eigen::Vector3d& up)
+{
+  given_up_ = requiredDirection(up);
+}
+
+void
 PlaneMapping::setMode(MappingMode mode)
 {
   const bool is_paper = mode == MappingMode::Paper;
@@ -569,9 +732,18 @@ PlaneMapping::compute(MappedPlanes& result)
 void
 PlaneMapping::runSteps(bool compute_mesh, MappedPlanes& result)
 {
-  const CloudRows rows = indices_ ? rowsOfIndices(rows_, *indices_) : rows_;
-  const PointView points = requirePoints(rows);
+  CloudRows rows = indices_ ? rowsOfIndices(rows_, *indices_) : rows_;
   PlaneMappingReport report;
+  std::optional<Indices> kept;
+  if (input_mesh_.triangles.empty() && !rows.shares())
+    kept = withoutZeros(requirePoints(rows));
+  if (kept) {
+    report.remarks.push_back(std::to_string(rows.size() - kept->size()) +
+                             " points at (0, 0, 0) are no points, and were left out");
+    rows =
+        rows.layout().height > 1 ? rowsOfIndices(rows, *kept) : someRows(rows, *kept);
+  }
+  const PointView points = requirePoints(rows);
   report.mode = mode_;
   MappedPlanes found;
   PlaneMappingRun run(
@@ -585,7 +757,13 @@ PlaneMapping::runSteps(bool compute_mesh, MappedPlanes& result)
     found = run.inPicture(*picture);
   else
     found = run.inSpace(viewpoints_);
+  run.setUp(found);
   run.findBoxes(found);
+  remarkContradictions(found, report);
+  if (kept && rows.size() == kept->size()) {
+    spreadLabels(*kept, rows_.size(), found.labels);
+    spreadLabels(*kept, rows_.size(), found.cylinder_labels);
+  }
   if (!report.mesh) // else it has told them
     addRemarks(report, lengthRemarks(points));
   result = std::move(found);

@@ -134,6 +134,10 @@ struct CompactMap {
    * \ref upAxis and \ref upDirection estimate it. */
   Eigen::Vector3d up = Eigen::Vector3d::Zero();
 
+  /** \brief What is taken for the up direction where it is unknown, of length 1; zero:
+   * \ref upAxis guesses. */
+  Eigen::Vector3d assumed_up = Eigen::Vector3d::Zero();
+
   /** \brief What was subtracted from the coordinates of the input, metres: added to those of
    * the map, it gives coordinates in the frame of the input, such as a national grid
    * (\ref PointCloudFile::shift). */

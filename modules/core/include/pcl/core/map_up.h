@@ -9,9 +9,10 @@ namespace pcl {
  * to the up direction.
  *
  * The up direction is that of the map (\ref CompactMap::up); if it is unknown, the mean
- * up direction of the cameras of the trajectory. Without a trajectory the result is -y, as in a camera frame, or z if the extent of the map
- * along z is smaller than along y and the area of horizontal planes is larger with
- * respect to z. \ingroup core */
+ * up direction of the cameras of the trajectory; without a trajectory what is assumed
+ * (\ref CompactMap::assumed_up). If nothing is, the result is -y, as in a camera frame, or z if
+ * the extent of the map along z is smaller than along y and the area of horizontal planes is
+ * larger with respect to z. \ingroup core */
 ACMAP_EXPORT Eigen::Vector3d
 upAxis(const CompactMap& map);
 

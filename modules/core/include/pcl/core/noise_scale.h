@@ -5,6 +5,7 @@
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/sensor_view.h>
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -19,6 +20,10 @@ struct NoiseScale {
    * typical value over the surface. 0 if the noise cannot be distinguished from the
    * shape. */
   double sigma = 0;
+
+  /** \brief 95 % interval of \ref sigma, metres; none without noise, or if it is that of
+   * steps of the depth. */
+  std::optional<std::array<double, 2>> interval;
 
   /** \brief Side of the square of surface per point, in metres, on average: the square
    * root of the area of the surface over the number of points. 0 if there is no
@@ -85,6 +90,7 @@ void
 visitFields(const NoiseScale& scale, Visitor&& visit)
 {
   visit({"sigma", "m"}, scale.sigma);
+  visit({"interval", "m"}, scale.interval);
   visit({"spacing", "m"}, scale.spacing);
   visit({"sparse_spacing", "m"}, scale.sparse_spacing);
   visit({"confidence"}, scale.confidence);

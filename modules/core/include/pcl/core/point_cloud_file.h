@@ -44,6 +44,13 @@ struct PointCloudFile {
    * heights (LAS: z). */
   std::optional<Eigen::Vector3f> up;
 
+  /** \brief The up direction that is usual in the format, of length 1: assumed where nothing is
+   * known and the points do not show another (OBJ: y). */
+  std::optional<Eigen::Vector3f> usual_up;
+
+  /** \brief Metres in a unit of the file, if the caller stated it: the cloud is in metres. */
+  std::optional<double> stated_scale;
+
   /** \brief Positions of the sensor that an int32 field `view` refers to, in the frame of
    * the cloud; empty if the file does not know them (known: E57). */
   std::vector<Eigen::Vector3f> viewpoints;

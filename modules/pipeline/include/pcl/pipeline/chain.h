@@ -57,7 +57,6 @@ struct ChainCloud {
   CloudRows rows;                             ///< metres
   std::shared_ptr<const PointCloudFile> file; ///< sensor, up direction and shift
   std::vector<Eigen::Vector3f> viewpoints;    ///< of its field `view`, metres
-  std::optional<Eigen::Vector3d> up;          ///< of the map
 };
 
 /** \brief What the stages of a chain hand on. \ingroup pipeline */

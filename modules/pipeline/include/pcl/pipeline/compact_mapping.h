@@ -543,14 +543,7 @@ template <typename PointT>
 std::shared_ptr<const PointCloudFile>
 CompactMapping::fileOf(const std::shared_ptr<const PointCloud<PointT>>& cloud)
 {
-  if (!cloud)
-    return nullptr;
-  acmap::requireCloud(cloud); // PCL's conversion only asserts it
-  const auto file = std::make_shared<PointCloudFile>();
-  toPCLPointCloud2(*cloud, file->cloud);
-  file->sensor_origin = cloud->sensor_origin_.template head<3>();
-  file->sensor_orientation = cloud->sensor_orientation_;
-  return file;
+  return cloud ? acmap::fileOf(cloud) : nullptr;
 }
 
 } // namespace pcl

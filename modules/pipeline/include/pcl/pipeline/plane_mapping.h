@@ -2,9 +2,9 @@
 
 #include <pcl/ModelCoefficients.h>
 #include <pcl/PointIndices.h>
-#include <pcl/conversions.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
+#include <pcl/core/impl/file_of_cloud.h>
 #include <pcl/core/impl/input_check.h>
 #include <pcl/core/point_types.h>
 #include <pcl/core/stage_controls.h>
@@ -20,6 +20,7 @@
 #include <pcl/surface/dewall_triangulation.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -123,6 +124,27 @@ public:
    * \throws BadArgumentException when one is not finite */
   void
   setViewpoints(std::vector<Eigen::Vector3f> viewpoints);
+
+  /** \brief Sets the up direction of the cloud instead of finding it, whatever its file
+   * states.
+   * \param[in] up of any length above 0
+   * \throws BadArgumentException if it is not finite or zero */
+  void
+  setUpDirection(const Eigen::Vector3d& up);
+
+  /** \brief Finds the up direction again (default). */
+  void
+  resetUpDirection()
+  {
+    given_up_.reset();
+  }
+
+  /** \brief The up direction that was set, of length 1; nothing if it is found. */
+  const std::optional<Eigen::Vector3d>&
+  getUpDirection() const
+  {
+    return given_up_;
+  }
 
   /** \brief Sets the kind of sensor that measured the cloud (default Automatic). */
   void
@@ -346,6 +368,7 @@ private:
   IndicesConstPtr indices_;                     ///< null: all points
   TriangleMesh input_mesh_;
   std::vector<Eigen::Vector3f> viewpoints_;
+  std::optional<Eigen::Vector3d> given_up_;
   DepthSensor sensor_ = DepthSensor::Automatic;
   MappingMode mode_ = MappingMode::Accurate;
   ConsolidationPolicy policy_ = ConsolidationPolicy::WhereNoisy;
@@ -365,12 +388,7 @@ template <typename PointT>
 void
 PlaneMapping::setInputCloud(const std::shared_ptr<const PointCloud<PointT>>& cloud)
 {
-  acmap::requireCloud(cloud);
-  const auto file = std::make_shared<PointCloudFile>();
-  toPCLPointCloud2(*cloud, file->cloud);
-  file->sensor_origin = cloud->sensor_origin_.template head<3>();
-  file->sensor_orientation = cloud->sensor_orientation_;
-  setInputCloud(std::shared_ptr<const PointCloudFile>(file));
+  setInputCloud(acmap::fileOf(cloud));
 }
 
 } // namespace pcl

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/box_patch.h>
+#include <pcl/core/cloud_assessment_types.h>
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/cylinder_patch.h>
 #include <pcl/core/fields.h>
@@ -74,8 +75,12 @@ struct MappedPlanes {
   Eigen::Vector3f sensor_origin = Eigen::Vector3f::Zero();
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
 
-  /** \brief Up direction of the input (\ref PointCloudFile::up), if it is known. */
+  /** \brief Up direction of the input, if it is known: stated, or found. */
   std::optional<Eigen::Vector3f> up;
+
+  /** \brief The direction that is taken for it otherwise, of length 1; zero if the cloud was
+   * not asked. */
+  Eigen::Vector3f assumed_up = Eigen::Vector3f::Zero();
 
   /** \brief Columns, pipes and curved walls, in the order of decreasing area, if
    * \ref PlaneMapping::setComputeCylinders was called. The planes for which they stand
@@ -99,7 +104,9 @@ struct MappedPlanes {
 struct PlaneMappingReport : Report {
   MappingMode mode = MappingMode::Accurate; ///< as \ref PlaneMapping::setMode set it
   std::size_t consolidated_points = 0; ///< on which planes were found; 0: on raw points
-  std::optional<SensorEvidence> sensor;  ///< of a cloud in space without `view`
+  /** \brief What the input is; none if the sensors of its observations are known, which are
+   * then in its field `view`. In a picture neither noise nor surfaces are asked. */
+  std::optional<CloudAssessmentReport> assessment;
   std::optional<NoiseScale> noise_scale; ///< of a cloud in space
   std::optional<ConsolidationReport> consolidation;
   std::optional<DepthPlaneReport> depth_planes; ///< if planes were found in a picture
@@ -119,7 +126,7 @@ visitFields(const PlaneMappingReport& report, Visitor&& visit)
 {
   visit({"mode"}, acmap::Named{report.mode, acmap::mapping_mode_names});
   visit({"consolidated_points"}, report.consolidated_points);
-  visit({"sensor"}, report.sensor);
+  visit({"assessment"}, report.assessment);
   visit({"noise_scale"}, report.noise_scale);
   visit({"consolidation"}, report.consolidation);
   visit({"depth_planes"}, report.depth_planes);

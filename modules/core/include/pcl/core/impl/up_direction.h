@@ -3,6 +3,7 @@
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/export.h>
 #include <pcl/core/impl/point_view.h>
+#include <pcl/core/up_evidence.h>
 
 #include <Eigen/Core>
 
@@ -51,29 +52,16 @@ refineUp(const std::vector<FacingArea>& facings,
 ACMAP_EXPORT bool
 isLevel(const Eigen::Vector3d& up, const Eigen::Vector3d& axis);
 
-/** \brief The axis of a frame that probably points up: z if the extent along z is smaller
- * than along y and the area of horizontal surfaces is larger with respect to z; otherwise
- * -y, as in a camera frame.
- * \param[in] spread variances along the axes
- * \param[in] along area of the surfaces whose normals are along each axis */
-ACMAP_EXPORT Eigen::Vector3d
-probableUpAxis(const Eigen::Array3d& spread, const Eigen::Array3d& along);
-
-/** \brief The same for points with normals. At least one must be finite. */
-ACMAP_EXPORT Eigen::Vector3d
-probableUpAxis(const PointView& points, const PointView& normals);
-
 /** \brief The up direction by which free space tells the sides of the surfaces of a cloud; none
- * if its sensors do.
- * \param[in] cloud with normals, if its sensors do not fit; its field `view` names sensors
- * \param[in] up of the file, if no sensor is known
+ * if its sensors do, or if it is not known.
+ * \param[in] cloud its field `view` names sensors
+ * \param[in] up of the cloud; where its sensors do not fit, an assumed one, too
+ * \param[in] has_sensor is one sensor known for all points?
  * \param[in] sensors_fit can the surface have been seen from the sensor? */
 ACMAP_EXPORT std::optional<Eigen::Vector3d>
 upWithoutSensors(const CloudRows& cloud,
-                 const std::optional<Eigen::Vector3f>& up,
+                 const UpEvidence& up,
+                 bool has_sensor,
                  bool sensors_fit);
-
-/** \brief Cosine between an axis and a normal along it. */
-constexpr double cosine_along_axis = 0.97;
 
 } // namespace pcl::acmap
