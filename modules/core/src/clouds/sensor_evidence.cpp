@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -240,11 +239,10 @@ contrastOfOrder(const PointView& points,
 }
 
 std::string
-inWords(const char* format, double a, double b)
+rounded(double value)
 {
-  char text[160];
-  std::snprintf(text, sizeof text, format, a, b);
-  return text;
+  constexpr double most = 1e9;
+  return std::to_string(std::lround(std::min(value, most)));
 }
 
 /** Are there rows or an order that no place beside the position has as clearly? */
@@ -274,17 +272,13 @@ provedBy(const PointView& points,
     }
   if (best.ratio >= clearer)
     return prove(1 - 1 / (best.ratio * best.ratio),
-                 inWords("%.0f rows of equal elevation, %.0f times sharper than from "
-                         "beside it",
-                         static_cast<double>(best.rows),
-                         best.ratio));
+                 std::to_string(best.rows) + " rows of equal elevation, " +
+                     rounded(best.ratio) + " times sharper than from beside it");
   const Contrast order = contrastOfOrder(points, position, shifts);
   if (order.ratio >= clearer)
     return prove(1 - 1 / (order.ratio * order.ratio),
-                 inWords("the rays advance steadily in the order of the points, %.0f "
-                         "times more than from beside it%.0s",
-                         order.ratio,
-                         0));
+                 "the rays advance steadily in the order of the points, " +
+                     rounded(order.ratio) + " times more than from beside it");
   result.evidence = "neither rows nor the order of the points show rays from it";
   result.confidence = 1 - std::max(best.ratio, order.ratio) / clearer;
   return result;
@@ -322,8 +316,7 @@ assessSensor(const PointView& points, std::size_t width, const Vector3d& positio
   result.hidden = hidden;
   if (!result.evidence.empty())
     result.evidence += ", ";
-  result.evidence +=
-      inWords("%.0f %% of the points are hidden from it%.0s", 100 * hidden, 0);
+  result.evidence += rounded(100 * hidden) + " % of the points are hidden from it";
   return result;
 }
 
