@@ -7,12 +7,12 @@
 #include "stage_reports.h"
 #include "tool.h"
 
+#include <pcl/core/cloud_assessment.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/up_direction.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/point_cloud_file.h>
-#include <pcl/core/up_evidence.h>
 #include <pcl/filters/depth_refinement.h>
 #include <pcl/filters/voxel_consolidation.h>
 #include <pcl/pipeline/picture.h>
@@ -124,9 +124,8 @@ struct Input {
   assess(unsigned threads)
   {
     sensor = sensorEvidence(rows, file);
-    if (file.up)
-      evidence = {
-          pcl::UpOutcome::Stated, file.up->cast<double>().normalized(), 1, "stated"};
+    if (const auto stated = statedUp(std::nullopt, file))
+      evidence = *stated;
     else if (!sensor.isKnown()) {
       const pcl::NoiseScale scale = measureNoiseScale(points(), {}, threads);
       evidence = findUp(points(), scale.spacing, scale.sigma, file.usual_up, threads);

@@ -96,21 +96,19 @@ colorsIn(const CloudRows& rows)
   return {first == 0 ? ColorContent::Empty : ColorContent::One};
 }
 
-UpEvidence
-upOf(const std::optional<Eigen::Vector3d>& given,
-     const PointCloudFile& file,
-     const PointView& points,
-     const NoiseScale& scale,
-     unsigned threads)
+} // namespace
+
+std::optional<UpEvidence>
+statedUp(const std::optional<Eigen::Vector3d>& given, const PointCloudFile& file)
 {
   if (given)
-    return {UpOutcome::Stated, *given, 1, "stated"};
+    return UpEvidence{UpOutcome::Stated, *given, 1, "stated"};
   if (file.up)
-    return {UpOutcome::Stated, file.up->cast<double>().normalized(), 1, "stated"};
-  return findUp(points, scale.spacing, scale.sigma, file.usual_up, threads);
+    return UpEvidence{
+        UpOutcome::Stated, file.up->cast<double>().normalized(), 1, "stated"};
+  return std::nullopt;
 }
 
-} // namespace
 } // namespace acmap
 
 using namespace acmap;
@@ -170,7 +168,10 @@ CloudAssessment::compute()
   report.spacing = scale_.spacing;
   report.noise = noiseOf(scale_);
   timer.finish("noise");
-  report.up = upOf(given_up_, *file_, points, scale_, threads_);
+  const std::optional<UpEvidence> stated = statedUp(given_up_, *file_);
+  report.up =
+      stated ? *stated
+             : findUp(points, scale_.spacing, scale_.sigma, file_->usual_up, threads_);
   timer.finish("up");
   report.unit = unitOf(*file_, points, scale_.spacing);
   if (!report.up.isKnown())

@@ -304,15 +304,11 @@ private:
     assessment.points = assessment.finite_points = rows_.size();
     assessment.columns = rows_.layout().height > 1 ? rows_.layout().width : 0;
     assessment.sensors = {SensorOutcome::Proved, 1, "the pixels of a picture", 0};
-    if (const auto& up = mapping_.getUpDirection())
-      assessment.up = {UpOutcome::Stated, *up, 1, "stated"};
-    else if (file_.up)
-      assessment.up = {UpOutcome::Stated, file_.up->cast<double>(), 1, "stated"};
-    else
-      assessment.up = {UpOutcome::Assumed,
-                       -Eigen::Vector3d::UnitY(),
-                       0,
-                       "a picture in the frame of its camera"};
+    assessment.up = statedUp(mapping_.getUpDirection(), file_)
+                        .value_or(UpEvidence{UpOutcome::Assumed,
+                                             -Eigen::Vector3d::UnitY(),
+                                             0,
+                                             "a picture in the frame of its camera"});
   }
 
   bool

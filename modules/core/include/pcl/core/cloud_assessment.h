@@ -9,9 +9,19 @@
 #include <pcl/core/stage_controls.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pcl {
+
+namespace acmap {
+
+/** \brief The up direction of a cloud if it is stated: by the caller, else by its file.
+ * \param[in] given by the caller, of length 1 */
+ACMAP_EXPORT std::optional<UpEvidence>
+statedUp(const std::optional<Eigen::Vector3d>& given, const PointCloudFile& file);
+
+} // namespace acmap
 
 /** \brief Says what a cloud is: its unit, which direction is up, whether one sensor measured
  * it, its noise with an interval, its spacing, and what its colours are.
