@@ -121,7 +121,8 @@ printCase(const PlaneCase& plane_case, const PlaneReach& reach)
             << milli * input.spacing << " mm; tolerance of the peers "
             << milli * input.tolerance << " mm\n";
   std::vector<std::pair<const NamedFinder*, PlaneScores>> all;
-  for (const NamedFinder& finder : allFinders())
+  const std::vector<NamedFinder> finders = allFinders();
+  for (const NamedFinder& finder : finders)
     if (input.points->size() <= finder.max_points)
       all.emplace_back(&finder, scorePlanes(plane_case, findPlanes(finder, input)));
   const auto reachOf = [&](const NamedFinder& finder) {

@@ -595,9 +595,11 @@ verify(const PointView& points, unsigned threads, NoiseScale& scale)
 {
   constexpr double sure = 0.65, contradiction = 3;
   constexpr double of_extent = 0.02, of_sensors = 0.2; // metres: great noises
+  constexpr double sparse = 0.1, of_lasers = 0.02;     // metres: edges look like noise
   if (scale.inverse_depth || (scale.spacing > 0 && scale.confidence >= sure))
     return;
-  if (scale.spacing > 0 && scale.sigma < of_sensors &&
+  const bool may_be_edges = scale.spacing > sparse && scale.sigma > of_lasers;
+  if (scale.spacing > 0 && !may_be_edges && scale.sigma < of_sensors &&
       scale.sigma < of_extent * cloudExtent(points).diagonal())
     return;
   const SurfaceNoise alone = measureSurfaceNoise(points, threads);

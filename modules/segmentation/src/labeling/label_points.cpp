@@ -224,7 +224,7 @@ struct Scenery {
   , survey(points, sensors, grid)
   , noise(survey, grid, known.planes, known.max_sigma)
   {
-    measureWarps(survey, grid, noise, known.planes);
+    measureWarps(survey, grid, noise, known.max_warp, known.planes);
   }
 };
 

@@ -75,6 +75,7 @@ void
 measureWarps(const Survey& survey,
              const CandidateGrid& grid,
              const RangeNoise& noise,
+             double max_warp,
              std::vector<KnownPlane>& planes)
 {
   std::vector<std::vector<double>> offs(planes.size()), expected(planes.size());
@@ -90,7 +91,8 @@ measureWarps(const Survey& survey,
     const double known = medianOf(expected[p]);
     constexpr double significant = 1.5;
     if (measured > significant * known)
-      planes[p].warp = std::hypot(planes[p].warp, std::sqrt(measured - known));
+      planes[p].warp =
+          std::min(std::hypot(planes[p].warp, std::sqrt(measured - known)), max_warp);
   }
 }
 

@@ -62,6 +62,7 @@ void
 measureWarps(const Survey& survey,
              const CandidateGrid& grid,
              const RangeNoise& noise,
+             double max_warp,
              std::vector<KnownPlane>& planes);
 
 } // namespace pcl::acmap::labeling

@@ -5,6 +5,7 @@
 
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/quantile.h>
+#include <pcl/core/impl/surface_noise.h>
 #include <pcl/core/noise_scale.h>
 
 #include <Eigen/Geometry>
@@ -72,7 +73,7 @@ meanEdge(const CellGraph& graph)
  * neighbours. The median is that of flat surfaces, unless most of the surface is
  * strongly curved. */
 double
-localNoise(CellGraph& graph, bool is_consolidated)
+localNoise(const CellGraph& graph)
 {
   using Offsets = LargeVector<double>;
   const auto offsetsOf = [&](std::size_t begin, std::size_t end) {
@@ -96,15 +97,8 @@ localNoise(CellGraph& graph, bool is_consolidated)
       graph.size(), Offsets{}, offsetsOf, [](Offsets& all, const Offsets& next) {
         all.insert(all.end(), next.begin(), next.end());
       });
-  constexpr double median_of_normal = 0.6745, quarter_of_normal = 0.3186;
-  const double by_median = medianOf(offsets) / median_of_normal;
-  constexpr double sparse = 0.25, of_sensors = 0.02; // metres
-  if (is_consolidated || graph.spacing < sparse || by_median < of_sensors)
-    return by_median;
-  // more than half of a sparse surface may be at edges: its offsets are no longer normal
-  const double by_quarter = quantileOf(offsets, 0.25) / quarter_of_normal;
-  graph.is_mostly_edges = by_quarter < by_median / 2;
-  return graph.is_mostly_edges ? by_quarter : by_median;
+  constexpr double median_of_normal = 0.6745;
+  return medianOf(offsets) / median_of_normal;
 }
 
 } // namespace
@@ -136,7 +130,11 @@ CellGraph::CellGraph(const PlaneHypotheses& hypotheses,
     connectNear(hypotheses.points, threads);
   else
     spacing = meanEdge(*this);
-  sigma = localNoise(*this, is_consolidated);
+  sigma = localNoise(*this);
+  // more than half of a sparse surface may be at edges: its offsets are no noise
+  constexpr double sparse = 0.1, of_sensors = 0.02; // metres
+  if (!is_consolidated && spacing > sparse && sigma > of_sensors)
+    sigma = std::min(sigma, measureSurfaceNoise(hypotheses.points, threads).sigma);
   if (triangles.empty())
     return;
   averageWaves();

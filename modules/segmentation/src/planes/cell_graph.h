@@ -20,8 +20,6 @@ struct CellGraph {
   double spacing = 0; ///< metres
   double sigma = 0;   ///< metres; with the waves of the surface, if it has such
 
-  bool is_mostly_edges = false; ///< so sparse that the sigma is that of a quarter of it
-
   /** Area over which normals had to be averaged, square metres: smaller regions may be
    * waves. 0 if the surface has none. */
   double least_area = 0;

@@ -36,9 +36,10 @@ struct KnownPlanes {
   PointLabels labels; ///< plane of each point; -1 for none
   double spacing = 0; ///< metres, between neighbours
 
-  /** Largest noise that is measured on the planes, metres: of a sparse surface with many
-   * edges, the points beside a plane are no noise. */
+  /** Largest noise, and largest warp, that are measured on the planes, metres: points beyond
+   * are beside a plane, not on it. */
   double max_sigma = std::numeric_limits<double>::infinity();
+  double max_warp = std::numeric_limits<double>::infinity();
   std::vector<KnownPlane> planes;
 };
 

@@ -135,7 +135,13 @@ isCurved(const CellGraph& graph,
   // A parabola that just stays within the limits has a bend of 0.45 times the limit,
   // and less if the region is only a few points wide; then more of its rim has to be
   // smooth.
-  const double bent = bend(graph, inner, region.plane()) / region.distance();
+  const double bending = bend(graph, inner, region.plane());
+  // A floor with drift bends, too, but over its whole width.
+  constexpr double of_floors = 0.0015, squared_width = 12; // of the variance
+  const double variance = fitPlane(region.moments()).variances[1];
+  if (bending < of_floors * std::sqrt(squared_width * variance))
+    return false;
+  const double bent = bending / region.distance();
   return (bent > 0.25 && around.smooth > 0.35) || (bent > 0.15 && around.smooth > 0.8);
 }
 

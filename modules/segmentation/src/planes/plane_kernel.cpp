@@ -42,11 +42,13 @@ orderSeeds(const PlaneHypotheses& hypotheses, bool noise_driven, const CellGraph
   return seeds;
 }
 
+/** \param[in] largest metres, of what follows from the spacing */
 double
-automaticDistance(const CellGraph& graph)
+automaticDistance(const CellGraph& graph,
+                  double largest = std::numeric_limits<double>::infinity())
 {
   constexpr double sigmas = 5, spacings = 0.1;
-  return std::max(sigmas * graph.sigma, spacings * graph.spacing);
+  return std::max(sigmas * graph.sigma, std::min(spacings * graph.spacing, largest));
 }
 
 /** A tenth of a square metre for buildings; for small scenes, such as the scan of a
@@ -208,8 +210,9 @@ PlaneLimits
 growthLimits(const PlaneClusteringSettings& settings, const CellGraph& graph)
 {
   PlaneLimits limits;
+  constexpr double largest = 0.1; // metres: sparse points are as precise as others
   const double automatic =
-      settings.noise_driven ? automaticDistance(graph) : paper_plane_distance;
+      settings.noise_driven ? automaticDistance(graph, largest) : paper_plane_distance;
   limits.distance = settings.plane_distance.value_or(automatic);
   limits.cosine = std::cos(settings.normal_angle);
   if (settings.noise_driven && !settings.plane_distance) {
@@ -246,8 +249,8 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
     report.points = hypotheses.points.size();
     StepTimer timer(report);
     progress.tell(0.0, "growing");
-    const CellGraph graph(
-        hypotheses, source.points.size() > hypotheses.points.size(), settings.threads);
+    const bool is_consolidated = source.points.size() > hypotheses.points.size();
+    const CellGraph graph(hypotheses, is_consolidated, settings.threads);
     const PlaneLimits limits = growthLimits(settings, graph);
     report.spacing = graph.spacing;
     report.sigma = graph.sigma;
@@ -277,16 +280,17 @@ clusterPlanes(const PlaneHypotheses& hypotheses,
 
     KnownPlanes known = knownPlanes(graph, grown);
     known.points = hypotheses.points;
-    if (graph.is_mostly_edges)
-      known.max_sigma = 1.5 * graph.sigma;
+    const double deviation =
+        0.3 * std::max(limits.distance, automaticDistance(graph, limits.distance));
+    known.max_warp = std::max(limits.max_warp, deviation);
+    if (!is_consolidated) // else the hypotheses do not show the noise of the source
+      known.max_sigma = deviation;
     PlaneClusters clusters;
     LabelingLimits labeling;
     labeling.distance = limits.distance / 2;
     labeling.cosine = merge_cosine;
     labeling.min_area = min_area;
-    labeling.stray =
-        std::max(automaticDistance(graph),
-                 graph.is_mostly_edges ? graph.sigma : 0.25 * graph.spacing);
+    labeling.stray = std::max(automaticDistance(graph), 0.25 * graph.spacing);
     if (!settings.noise_driven)
       for (std::size_t p = 0; p < grown.size(); ++p)
         describeFit(graph, grown[p], known.planes[p]);

@@ -136,8 +136,8 @@ namespace acmap {
  * the noise follows from the quantisation step: sigma and the ranges are then z^2 times
  * the noise of inverse depth.
  *
- * A sigma above 0.2 m or 2 % of the extent, of which less than two thirds of the windows are
- * sure, is verified by
+ * A sigma above 0.2 m or 2 % of the extent, or above 2 cm between points that are more than
+ * 0.1 m apart, of which less than two thirds of the windows are sure, is verified by
  * measureSurfaceNoise, which does not take the storeys of a building for thick planes:
  * its result is taken if it contradicts by more than a factor of three, and if it is not
  * determined, neither is this one. Where many points are (0, 0, 0), as invalid ones of some
