@@ -64,39 +64,78 @@ positionsBeside(double range)
   return shifts;
 }
 
+/** A ray by its angles, both from 0 to 1, and its length, metres. */
+struct PolarRay {
+  double height, turn, range;
+};
+
+std::vector<PolarRay>
+polarRays(const Rays& rays)
+{
+  std::vector<PolarRay> polar;
+  polar.reserve(rays.size());
+  for (const Vector3d& ray : rays) {
+    const double range = ray.norm();
+    polar.push_back({std::asin(std::clamp(ray.z() / range, -1.0, 1.0)) / pi + 0.5,
+                     std::atan2(ray.y(), ray.x()) / (2 * pi) + 0.5,
+                     range});
+  }
+  return polar;
+}
+
+/** The nearest point of each direction, in cells of equal size. */
+class NearestRanges {
+public:
+  /** \param[in] rows of 180 degrees */
+  explicit NearestRanges(int rows)
+  : rows_(rows)
+  {
+    for (int row = 0; row < rows; ++row) {
+      const double middle = ((row + 0.5) / rows - 0.5) * pi;
+      first_.push_back(size_);
+      columns_.push_back(std::max(1, static_cast<int>(2 * rows * std::cos(middle))));
+      size_ += static_cast<std::size_t>(columns_.back());
+    }
+    nearest_.assign(size_, std::numeric_limits<float>::infinity());
+  }
+
+  float&
+  of(const PolarRay& ray)
+  {
+    const auto row = static_cast<std::size_t>(
+        std::clamp(static_cast<int>(ray.height * rows_), 0, rows_ - 1));
+    const int column =
+        std::clamp(static_cast<int>(ray.turn * columns_[row]), 0, columns_[row] - 1);
+    return nearest_[first_[row] + static_cast<std::size_t>(column)];
+  }
+
+private:
+  int rows_;
+  std::size_t size_ = 0;
+  std::vector<std::size_t> first_; ///< cell of each row
+  std::vector<int> columns_;
+  std::vector<float> nearest_;
+};
+
 /** The share of the points that is hidden: behind the nearest one of its direction. */
 double
-hiddenShare(const Rays& rays)
+hiddenShare(const std::vector<PolarRay>& rays)
 {
   constexpr int coarsest = 120, finest = 1920; // rows of 180 degrees
   constexpr std::size_t points_a_cell = 6;
   for (int rows = coarsest;; rows *= 2) {
-    std::vector<float> nearest(2 * static_cast<std::size_t>(rows) *
-                                   static_cast<std::size_t>(rows),
-                               std::numeric_limits<float>::infinity());
-    const auto cellOf = [&](const Vector3d& ray) -> float& {
-      const double height = std::asin(std::clamp(ray.z() / ray.norm(), -1.0, 1.0));
-      const int row =
-          std::clamp(static_cast<int>((height / pi + 0.5) * rows), 0, rows - 1);
-      const double middle = ((row + 0.5) / rows - 0.5) * pi;
-      const int columns = std::max(1, static_cast<int>(2 * rows * std::cos(middle)));
-      const double turn = std::atan2(ray.y(), ray.x()) / (2 * pi) + 0.5;
-      const int column = std::clamp(static_cast<int>(turn * columns), 0, columns - 1);
-      return nearest[static_cast<std::size_t>(row) * 2 *
-                         static_cast<std::size_t>(rows) +
-                     static_cast<std::size_t>(column)];
-    };
+    NearestRanges nearest(rows);
     std::size_t cells = 0, hidden = 0;
-    for (const Vector3d& ray : rays) {
-      float& range = cellOf(ray);
+    for (const PolarRay& ray : rays) {
+      float& range = nearest.of(ray);
       cells += std::isinf(range);
-      range = std::min(range, static_cast<float>(ray.norm()));
+      range = std::min(range, static_cast<float>(ray.range));
     }
     if (rays.size() > points_a_cell * cells && rows < finest)
       continue;
     constexpr double behind = 1.3; // a slanted surface is not that deep within a cell
-    for (const Vector3d& ray : rays)
-      hidden += ray.norm() > behind * static_cast<double>(cellOf(ray));
+    for (const PolarRay& ray : rays)
+      hidden += ray.range > behind * static_cast<double>(nearest.of(ray));
     return static_cast<double>(hidden) / static_cast<double>(rays.size());
   }
 }
@@ -305,7 +344,8 @@ assessSensor(const PointView& points, std::size_t width, const Vector3d& positio
     return result;
   }
   const double range = medianRange(rays);
-  const double hidden = hiddenShare(sampledRays(points, position, 4 * wanted));
+  const double hidden =
+      hiddenShare(polarRays(sampledRays(points, position, 4 * wanted)));
   result = provedBy(points, position, rays, range);
   const bool is_proved = result.outcome == SensorOutcome::Proved;
   if (hidden > (is_proved ? most_if_proved : most_hidden)) {
