@@ -2,6 +2,8 @@
 #include "output_target.h"
 #include "tool.h"
 
+#include <pcl/core/calibration_file.h>
+#include <pcl/core/image_file.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/trajectory.h>
@@ -90,7 +92,8 @@ addCameras(CLI::App& app, ImportOptions& options)
 {
   app.add_option("--intrinsics",
                  options.intrinsics,
-                 "The depth camera: a text file with its 3 x 3 matrix, or a rig.yaml "
+                 "The depth camera: a matrix as text, a rig.yaml, or a calibration by "
+                 "Open3D, ROS, OpenCV, Kalibr, ORB-SLAM and others "
                  "[default: the folder's, or its layout's]")
       ->type_name("FILE");
   auto* const fx = addPositive(app,
@@ -170,13 +173,43 @@ settingsOf(const ImportOptions& options)
   return settings;
 }
 
+/** \brief Size of the first depth image that can be read. */
+ImageSize
+depthSizeOf(const ImportOptions& options, const RgbdSequence& sequence)
+{
+  for (std::size_t i = 0;; ++i)
+    try {
+      const GrayImage16 image = loadGrayImage16(sequence.frames.at(i).depth);
+      return {image.width, image.height};
+    }
+    catch (const InputFileException&) {
+      if (!options.skip_broken || i + 1 >= sequence.frames.size())
+        throw;
+    }
+}
+
+/** \brief The depth camera of the user's file, for images of the folder's size. */
+Pinhole
+loadDepthCamera(const ImportOptions& options,
+                const RgbdSequence& sequence,
+                StageLog& log)
+{
+  const CalibratedPinhole camera = loadCameraPinhole(options.intrinsics);
+  const ImageSize size = depthSizeOf(options, sequence);
+  const bool is_scaled = camera.width != 0 && camera.width != size.width;
+  log.tell("intrinsics",
+           camera.told +
+               (is_scaled ? ", scaled from " + sizeText(camera) + " pixels" : ""));
+  return fittedPinhole(camera, size.width, size.height, options.intrinsics);
+}
+
 /** \brief The cameras of the user, otherwise those of the folder; no colour camera if
  * colours have the pixels of the depth camera. */
 RgbdCameras
-camerasOf(const ImportOptions& options, const RgbdSequence& sequence)
+camerasOf(const ImportOptions& options, const RgbdSequence& sequence, StageLog& log)
 {
-  Pinhole depth =
-      options.intrinsics.empty() ? sequence.camera : loadPinhole(options.intrinsics);
+  Pinhole depth = options.intrinsics.empty() ? sequence.camera
+                                             : loadDepthCamera(options, sequence, log);
   if (options.fx)
     depth.fx = depth.fy = *options.fx;
   depth.fy = options.fy.value_or(depth.fy);
@@ -455,7 +488,7 @@ main(int argc, char** argv)
     StepTimer timer(log.report);
     const pcl::RgbdSequence sequence =
         openRgbdSequence(options.input, settingsOf(options));
-    const pcl::RgbdCameras cameras = camerasOf(options, sequence);
+    const pcl::RgbdCameras cameras = camerasOf(options, sequence, log);
     OutputFolder folder(options.output);
     checkPlaces(tool, options, folder);
     timer.finish("list");

@@ -10,6 +10,55 @@ namespace pcl::acmap {
 
 namespace {
 
+/** \brief Has an image the same value in all channels of each pixel? */
+bool
+isGrey(const CameraImage& image)
+{
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    if (image.values[i] != image.values[i - i % channels])
+      return false;
+  return true;
+}
+
+void
+addRig(CLI::App& app, CLI::Option* reference, StereoOptions& options)
+{
+  app.add_option("--rig",
+                 options.rig,
+                 "The rig that the images are of: a rig.yaml, or a calibration by "
+                 "Kalibr, ROS, OpenCV, Middlebury, KITTI, ORB-SLAM and others; two "
+                 "files where each camera has its own, the reference first")
+      ->type_name("RIG")
+      ->expected(1, 2)
+      ->default_str("")
+      ->needs(reference);
+  app.add_option("--rig-cameras",
+                 options.rig_cameras,
+                 "Reference and neighbour of RIG, where it has more than two cameras")
+      ->type_name("NAME,NAME")
+      ->default_str("")
+      ->needs(reference);
+  app.add_option("--baseline",
+                 options.baseline,
+                 "Place of the neighbour along x (right), metres: negative for one on "
+                 "the left; along y (down) for one above or below [default: RIG's]")
+      ->type_name("M")
+      ->default_str("")
+      ->check(numberWithin(-100, 100).description(""))
+      ->needs(reference);
+  auto* const rectify = app.add_flag_callback(
+      "--rectify",
+      [&] { options.rectify = true; },
+      "The images are as the cameras gave them, to be rectified by the cameras in RIG "
+      "[default: what RIG is for]");
+  rectify->needs(reference);
+  app.add_flag_callback(
+         "--rectified", [&] { options.rectify = false; }, "The images are rectified")
+      ->needs(reference)
+      ->excludes(rectify);
+}
+
 void
 addLists(CLI::App& app, StereoOptions& options)
 {
@@ -34,15 +83,7 @@ addLists(CLI::App& app, StereoOptions& options)
   images(
       "--vertical", options.images.vertical, "Of its neighbour in the column, as above")
       ->needs(reference);
-  app.add_option("--rig", options.rig, "The rig that the images are of")
-      ->type_name("RIG.yaml")
-      ->needs(reference);
-  app.add_flag(
-         "--rectify",
-         options.rectify,
-         "The images are as the cameras gave them: rectify them by the cameras in "
-         "RIG.yaml")
-      ->needs(reference);
+  addRig(app, reference, options);
   app.add_flag("--active",
                options.active,
                "One image per camera: it was taken under a pattern. Several images "
@@ -82,8 +123,10 @@ requireSenseOfInput(const StereoOptions& options)
     throw UsageError("--color is for shots under patterns; with one image per camera "
                      "the colours are those of --reference, unless --active says that "
                      "it was taken under a pattern");
-  if (options.rig.empty())
+  if (options.rig.empty() || options.rig.front().empty())
     throw UsageError("--reference needs --rig, the rig of the images");
+  if (options.baseline == 0.0)
+    throw UsageError("--baseline 0 would be no neighbour");
   if (images.horizontal.empty() && images.vertical.empty())
     throw UsageError("--horizontal or --vertical is needed, or both");
   if (!options.poses.empty())
@@ -91,6 +134,38 @@ requireSenseOfInput(const StereoOptions& options)
 }
 
 } // namespace
+
+CalibratedRig
+StereoOptions::rigOfLists() const
+{
+  const CameraImage first = loadCameraImage(images.reference.front());
+  RigImages of;
+  of.width = first.width;
+  of.height = first.height;
+  of.are_raw = rectify;
+  of.are_grey = isGrey(first);
+  of.baseline = baseline;
+  if (!rig_cameras.empty())
+    of.cameras = CLI::detail::split(rig_cameras, ',');
+  if (of.cameras.size() == 1 || of.cameras.size() > 2)
+    throw UsageError("--rig-cameras: '" + rig_cameras.substr(0, 40) +
+                     "' are not two names with a comma between them");
+  CalibratedRig found = loadRig(rig, of);
+  const auto use = [&](RigCamera camera,
+                       const std::vector<std::string>& list,
+                       double& place) {
+    const std::string name = nameOf(camera);
+    if (list.empty())
+      place = 0.0;
+    else if (place == 0.0)
+      throw UsageError("--" + name + ": " + rigPath() + " has no " + name + " camera");
+  };
+  use(RigCamera::Horizontal, images.horizontal, found.rig.baseline_horizontal);
+  use(RigCamera::Vertical, images.vertical, found.rig.baseline_vertical);
+  if (images.horizontal.empty())
+    found.rig.center_x_horizontal.reset();
+  return found;
+}
 
 SessionSettings
 StereoOptions::sessionSettings(unsigned threads) const
@@ -100,7 +175,8 @@ StereoOptions::sessionSettings(unsigned threads) const
   chosen.passive = isPassive();
   chosen.rig = rigPath();
   if (hasLists())
-    chosen.rectify = rectify;
+    chosen.rectify = false;
+  chosen.keeps_baseline = baseline.has_value();
   chosen.skip_broken = !hasLists();
   chosen.threads = threads;
   return chosen;
@@ -210,8 +286,9 @@ requireSense(const Tool& tool, const StereoOptions& options)
   const OutputFolder folder(options.output);
   if (!options.hasLists() && folder.holds(options.session + "/any"))
     throw UsageError(options.output + ": is the session's folder, too");
-  std::vector<std::string> inputs = {
-      options.rigPath(), options.poses, options.settings.color};
+  std::vector<std::string> inputs = options.rig;
+  inputs.insert(inputs.end(),
+                {options.rigPath(), options.poses, options.settings.color});
   for (const auto& list :
        {options.images.reference, options.images.horizontal, options.images.vertical})
     inputs.insert(inputs.end(), list.begin(), list.end());

@@ -3,6 +3,7 @@
 #include "tool.h"
 
 #include <pcl/acquisition/trinocular_file_grabber.h>
+#include <pcl/core/calibration_file.h>
 #include <pcl/pipeline/session_source.h>
 
 namespace pcl::acmap {
@@ -11,9 +12,11 @@ namespace pcl::acmap {
 struct StereoOptions {
   std::string session; ///< folder; empty without a session
   TrinocularImageLists images;
-  std::string rig;      ///< of the image lists
-  bool rectify = false; ///< the lists
-  bool active = false;  ///< one image per camera was taken under a pattern
+  std::vector<std::string> rig;   ///< of the image lists: one file, or one a camera
+  std::string rig_cameras;        ///< reference and neighbour in the file
+  std::optional<double> baseline; ///< metres, in place of the file's
+  std::optional<bool> rectify;    ///< the lists
+  bool active = false;            ///< one image per camera was taken under a pattern
   std::string output;
   std::string method = "spacetime";
   bool has_method = false;  ///< whether the method was given
@@ -46,10 +49,16 @@ struct StereoOptions {
   std::string
   rigPath() const
   {
-    return hasLists() ? rig : session + "/rig.yaml";
+    return hasLists() ? rig.front() : session + "/rig.yaml";
   }
 
-  /** \brief All that these options say. */
+  /** \brief The rig of the image lists: cameras without a list are not used.
+   * \throws InputFileException naming what cannot be read
+   * \throws UsageError for a list of a camera that is not in the rig */
+  CalibratedRig
+  rigOfLists() const;
+
+  /** \brief All that these options say, except the cameras of image lists. */
   SessionSettings
   sessionSettings(unsigned threads) const;
 };

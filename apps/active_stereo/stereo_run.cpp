@@ -25,31 +25,11 @@ using Json = nlohmann::ordered_json;
  * can continue. */
 constexpr const char* finished_name = "finished.json";
 
-/** \brief The rig of image lists: cameras without a list are not used.
- * \throws UsageError for a list of a camera that is not in the rig */
-TrinocularRig
-rigOfLists(const StereoOptions& options)
-{
-  TrinocularRig rig = loadTrinocularRig(options.rig);
-  const auto use =
-      [&](RigCamera camera, const std::vector<std::string>& images, double& baseline) {
-        const std::string name = nameOf(camera);
-        if (images.empty())
-          baseline = 0.0;
-        else if (baseline == 0.0)
-          throw UsageError("--" + name + ": " + options.rig + " has no " + name +
-                           " camera");
-      };
-  use(RigCamera::Horizontal, options.images.horizontal, rig.baseline_horizontal);
-  use(RigCamera::Vertical, options.images.vertical, rig.baseline_vertical);
-  return rig;
-}
-
 std::shared_ptr<const FrameReader>
-openFrames(const StereoOptions& options)
+openFrames(const StereoOptions& options, const std::optional<CalibratedRig>& rig)
 {
-  if (options.hasLists())
-    return std::make_shared<TrinocularFileGrabber>(options.images, rigOfLists(options));
+  if (rig)
+    return std::make_shared<TrinocularFileGrabber>(options.images, rig->rig);
   return std::make_shared<TrinocularFileGrabber>(options.session);
 }
 
@@ -79,10 +59,13 @@ class StereoRun {
 public:
   StereoRun(const StereoOptions& options, const RunControls& controls)
   : options_(options)
-  , frames_(openFrames(options))
+  , rig_(options.hasLists() ? std::optional(options.rigOfLists()) : std::nullopt)
+  , frames_(openFrames(options, rig_))
   , session_(withDepths([&] {
-    return openSession(
-        frames_, options.sessionSettings(controls.threads), memoryCheck());
+    SessionSettings settings = options.sessionSettings(controls.threads);
+    if (rig_)
+      settings.cameras = rig_->cameras;
+    return openSession(frames_, settings, memoryCheck());
   }))
   {
     if (!options.poses.empty()) {
@@ -184,15 +167,27 @@ public:
     const DisparityBackProjection& depths = options_.settings.projection;
     const double nearest =
         std::max(depths.getMinimumDepth(), depthOf(session_->rig(), range.maximum()));
+    // with an offset, disparities below 0 would be farther away
+    const double farthest = disparityOffset(session_->rig()) > 0.0
+                                ? std::min(depths.getMaximumDepth(),
+                                           depthOf(session_->rig(), range.minimum))
+                                : depths.getMaximumDepth();
     log.details = {
-        {"input", options_.hasLists() ? options_.rig : options_.session},
+        {"input", options_.hasLists() ? options_.rigPath() : options_.session},
         {"output", options_.output},
+        {"calibration", rig_ ? Json(rig_->told) : Json()},
+        {"rig",
+         {{"width", session_->rig().width},
+          {"height", session_->rig().height},
+          {"focal_length", session_->rig().focal_length},
+          {"baseline_horizontal", session_->rig().baseline_horizontal},
+          {"baseline_vertical", session_->rig().baseline_vertical}}},
         {"frames", session_->isRectifying() ? "raw" : "rectified"},
         {"method", options_.isPassive() ? "passive" : options_.method},
         {"least_disparity", range.minimum},
         {"most_disparity", range.maximum()},
         {"least_depth", nearest},
-        {"most_depth", depths.getMaximumDepth()},
+        {"most_depth", farthest},
         {"has_poses", !options_.poses.empty()},
         {"points", results_.points},
         {"matched_share", results_.matchedShare()},
@@ -201,6 +196,8 @@ public:
         {"broken_frames", frames_->faults().broken},
         {"findings", session_->remarks()},
         {"observations", results_.entries}};
+    if (rig_)
+      log.tell("rig", rig_->told);
     log.tell("observations", std::to_string(results_.observations));
     log.tell("frames",
              std::to_string(results_.frames) + (session_->isRectifying()
@@ -210,7 +207,7 @@ public:
     log.tell("searched",
              std::to_string(range.minimum) + " to " + std::to_string(range.maximum()) +
                  " px, depths of " + shortNumber(nearest) + " to " +
-                 shortNumber(depths.getMaximumDepth()) + " m");
+                 shortNumber(farthest) + " m");
     results_.tellPoints(log);
     if (!options_.hasLists())
       log.tell("poses", options_.poses.empty() ? "none" : options_.poses);
@@ -250,10 +247,9 @@ private:
   {
     warnOfFindings(log, session_->remarks());
     results_.warnOfRemarks(log);
-    if (options_.hasLists() && !session_->isRectifying() &&
-        hasBuiltCameras(options_.rig))
+    if (rig_ && rig_->leaves_built_out)
       log.warn("images are taken as rectified; if they are as the cameras in " +
-               options_.rig + " gave them, they need --rectify");
+               options_.rigPath() + " gave them, they need --rectify");
   }
 
   /** How the shots were matched. With one image per camera, which the user may have
@@ -271,6 +267,7 @@ private:
   }
 
   const StereoOptions& options_;
+  const std::optional<CalibratedRig> rig_; ///< of image lists
   std::shared_ptr<const FrameReader> frames_;
   std::shared_ptr<SessionSource> session_;
   Trajectory poses_;

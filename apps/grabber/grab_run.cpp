@@ -15,6 +15,7 @@
 #include <pcl/acquisition/projector_latency.h>
 #include <pcl/acquisition/trinocular_recorder.h>
 #include <pcl/conversions.h>
+#include <pcl/core/calibration_file.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/pipeline/observation_files.h>
 
@@ -44,7 +45,9 @@ struct Device {
  * \throws what the opener of the camera throws
  * \throws InputFileException when rig or recording cannot be read */
 Device
-openDevice(const GrabberOptions& options, const GrabbedCameraOpener& opener)
+openDevice(const GrabberOptions& options,
+           const GrabbedCameraOpener& opener,
+           StageLog& log)
 {
   Device device;
   if (options.isRecording()) {
@@ -54,10 +57,15 @@ openDevice(const GrabberOptions& options, const GrabbedCameraOpener& opener)
     device.rig = device.recording->getRig();
   }
   else {
-    device.rig = loadTrinocularRig(options.rig);
+    RigImages images;
+    images.of_camera = true;
+    const CalibratedRig found = loadRig({options.rig}, images);
+    log.tell("rig", found.told);
+    device.rig = found.rig;
+    device.cameras = found.cameras;
     device.camera = opener(device.rig);
   }
-  if (hasBuiltCameras(options.rigPath()))
+  if (options.isRecording() && hasBuiltCameras(options.rigPath()))
     device.cameras = loadRigCalibration(options.rigPath());
   if (device.camera && device.cameras)
     device.camera->setCalibration(*device.cameras);
@@ -183,7 +191,7 @@ openProjection(const GrabberOptions& options,
 FrameRectifier
 rectifierOf(const GrabberOptions& options, const Device& device, unsigned threads)
 {
-  return {options.rigPath(), device.rig, device.cameras.has_value(), threads};
+  return {options.rigPath(), device.rig, device.cameras, threads};
 }
 
 /** \brief The observations of a run as point clouds, as pcl_active_stereo computes them
@@ -642,7 +650,7 @@ public:
   , log_(log)
   , live_(options.live ? std::make_unique<LiveWindow>(drawing_, options.tool) : nullptr)
   , status_(options.tool, !controls.is_quiet)
-  , device_(openDevice(options, opener))
+  , device_(openDevice(options, opener, log))
   , outputs_(options, device_, controls.threads, live_.get(), log)
   , queue_(queueLength(bytesOfFrame(device_.rig)))
   , wanted_(options.observations.value_or(device_.recording ? 0 : 1))

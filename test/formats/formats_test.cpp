@@ -136,7 +136,10 @@ TEST(Formats, NewerOnesAreRefusedByName)
       faultOf(
           "camera_1.yaml", 0, yaml, [](const auto& path) { loadColorCamera(path); })};
   for (std::size_t i = 0; i < faults.size(); ++i) {
-    const std::size_t newest = i == 0 ? file_formats::map : 1;
+    const bool is_rig = i == 2 || i == 3;
+    const std::size_t newest = i == 0   ? file_formats::map
+                               : is_rig ? file_formats::rig
+                                        : 1;
     EXPECT_THAT(faults[i],
                 HasSubstr("written by a newer acmap (format 7; this one reads up to " +
                           std::to_string(newest) + ")"));

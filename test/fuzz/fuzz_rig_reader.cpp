@@ -1,6 +1,8 @@
 #include "checks.h"
 #include "files/rig_text.h"
 
+#include <pcl/core/calibration_file.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -71,6 +73,26 @@ checkCameras(const pcl::RigCalibration& cameras)
     requireEqual(again.cameras[i], cameras.cameras[i]);
 }
 
+/** A calibration of any kind is rejected, or gives a rig that can be matched. */
+void
+checkCalibration(const std::string& text)
+{
+  const auto calibration =
+      test::acceptedBy([&] { return readCalibration("input", text); });
+  if (!calibration)
+    return;
+  pcl::RigImages images;
+  images.width = 640;
+  images.height = 480;
+  const auto rig =
+      test::acceptedBy([&] { return rigOf({"input"}, {*calibration}, images); });
+  if (!rig)
+    return;
+  pcl::requireSoundRig(rig->rig);
+  if (rig->cameras)
+    pcl::requireSoundCalibration(*rig->cameras);
+}
+
 } // namespace
 
 /** Bytes are rejected, or give a rig and cameras that can be written and read again. */
@@ -78,6 +100,7 @@ extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   const std::string text = test::textOfInput(data, size);
+  checkCalibration(text);
   const auto map = test::acceptedBy([&] { return parseYaml("input", text); });
   if (!map)
     return 0;

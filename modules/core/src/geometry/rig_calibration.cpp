@@ -136,6 +136,7 @@ calibrationOf(const TrinocularRig& rig)
   CameraCalibration& horizontal = calibration.camera(RigCamera::Horizontal);
   CameraCalibration& vertical = calibration.camera(RigCamera::Vertical);
   horizontal.T_reference_camera.translation().x() = rig.baseline_horizontal;
+  horizontal.center_x = rig.center_x_horizontal.value_or(rig.center_x);
   vertical.T_reference_camera.translation().y() = rig.baseline_vertical;
   for (const RigCamera camera : acmap::rig_cameras)
     calibration.camera(camera).is_there = acmap::hasCamera(rig, camera);

@@ -22,6 +22,7 @@ constexpr double longest_focal_length = 1e6;
 constexpr double farthest_center = 1e6;
 constexpr double longest_baseline = 100.0;
 constexpr double largest_disparity_sigma = 1000.0;
+constexpr const char* center_of_neighbour = "center_x_horizontal";
 
 /** \brief A real value of a rig and its legal range. */
 struct RealKey {
@@ -63,6 +64,16 @@ requireSoundRig(const TrinocularRig& rig)
   acmap::requireInRange("height", rig.height, 1, max_pixels, "px");
   for (const RealKey& key : realKeys())
     acmap::requireInRange(key.name, rig.*key.value, key.minimum, key.maximum, key.unit);
+  if (!rig.center_x_horizontal)
+    return;
+  acmap::requireInRange(center_of_neighbour,
+                        *rig.center_x_horizontal,
+                        -farthest_center,
+                        farthest_center,
+                        "px");
+  if (rig.baseline_horizontal == 0.0 || rig.baseline_vertical != 0.0)
+    throw acmap::BadArgument(std::string(center_of_neighbour) +
+                             " is for a rig with a horizontal neighbour alone");
 }
 
 TrinocularRig
@@ -80,16 +91,29 @@ acmap::readTrinocularRig(const YamlNode& map)
   rig.height = static_cast<int>(map.at("height").count(1, max_pixels));
   for (const RealKey& key : realKeys())
     rig.*key.value = map.at(key.name).number(key.minimum, key.maximum);
+  if (const YamlNode* const center = map.find(center_of_neighbour)) {
+    rig.center_x_horizontal = center->number(-farthest_center, farthest_center);
+    if (rig.baseline_horizontal == 0.0 || rig.baseline_vertical != 0.0)
+      center->fail("is for a rig with a horizontal neighbour alone");
+  }
   return rig;
 }
 
 std::string
 acmap::rigText(const TrinocularRig& rig)
 {
-  std::string text = "%YAML:1.0\n---\nwidth: " + std::to_string(rig.width) +
+  // A reader of format 1 would take the disparities for those without an offset.
+  const std::string format = rig.center_x_horizontal
+                                 ? "format: " + std::to_string(file_formats::rig) + "\n"
+                                 : "";
+  std::string text = "%YAML:1.0\n---\n" + format +
+                     "width: " + std::to_string(rig.width) +
                      "\nheight: " + std::to_string(rig.height) + "\n";
   for (const RealKey& key : realKeys())
     text += std::string(key.name) + ": " + acmap::textOf(rig.*key.value) + "\n";
+  if (rig.center_x_horizontal)
+    text += std::string(center_of_neighbour) + ": " +
+            acmap::textOf(*rig.center_x_horizontal) + "\n";
   return text;
 }
 

@@ -1,12 +1,10 @@
-#include "observations/file_ending.h"
 #include "rgbd/text_rows.h"
 
+#include <pcl/core/calibration_file.h>
 #include <pcl/core/file_format.h>
 #include <pcl/core/impl/yaml_node.h>
-#include <pcl/core/trinocular_rig.h>
 #include <pcl/pipeline/rgbd_cameras.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace pcl {
@@ -81,21 +79,7 @@ readColorCamera(const YamlNode& camera)
 Pinhole
 loadPinhole(const std::string& path)
 {
-  const std::string ending = acmap::endingOf(path);
-  if (ending == ".yaml" || ending == ".yml") {
-    const TrinocularRig rig = loadTrinocularRig(path);
-    return {rig.focal_length, rig.focal_length, rig.center_x, rig.center_y};
-  }
-  constexpr double minimum = 1e-6;
-  constexpr double maximum = 1e6;
-  const std::vector<double> m = acmap::loadSquareMatrix(path, 3);
-  const bool is_sound = std::min(m[0], m[4]) >= minimum &&
-                        std::max(m[0], m[4]) <= maximum &&
-                        std::max(std::abs(m[2]), std::abs(m[5])) <= maximum;
-  if (!is_sound || m[1] != 0 || m[3] != 0 || m[6] != 0 || m[7] != 0 || m[8] != 1)
-    throw InputFileException(
-        path + ": is no matrix of a camera: fx 0 cx, 0 fy cy, 0 0 1 is needed");
-  return {m[0], m[4], m[2], m[5]};
+  return loadCameraPinhole(path).pinhole;
 }
 
 ColorCamera

@@ -4,6 +4,7 @@
 #include <pcl/core/rig_cameras.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/session_source.h>
+#include <pcl/stereo/pair_direction.h>
 
 #include <cstring>
 #include <utility>
@@ -30,11 +31,16 @@ rigFileOf(const FrameReader& frames, const SessionSettings& settings)
              : settings.rig;
 }
 
-bool
-areRaw(const std::string& rig, const SessionSettings& settings)
+/** The cameras of frames that are not rectified. */
+std::optional<RigCalibration>
+rawCamerasOf(const std::string& rig, const SessionSettings& settings)
 {
-  return settings.rectify ? *settings.rectify
-                          : !rig.empty() && acmap::hasBuiltCameras(rig);
+  if (settings.cameras)
+    return settings.cameras;
+  if (settings.rectify ? *settings.rectify
+                       : !rig.empty() && acmap::hasBuiltCameras(rig))
+    return loadRigCalibration(rig);
+  return std::nullopt;
 }
 
 /** The cloud as a file has it: without the padding of points, whose bytes are arbitrary. */
@@ -67,8 +73,10 @@ SessionSource::SessionSource(std::shared_ptr<const FrameReader> frames,
 : frames_(std::move(frames))
 , settings_(settings)
 , rig_file_(rigFileOf(required(frames_), settings_))
-, rectifier_(
-      rig_file_, frames_->getRig(), areRaw(rig_file_, settings_), settings_.threads)
+, rectifier_(rig_file_,
+             frames_->getRig(),
+             rawCamerasOf(rig_file_, settings_),
+             settings_.threads)
 , remarks_(frames_->faults().remarks)
 , broken_(frames_->faults().broken.size())
 {
@@ -204,11 +212,41 @@ SessionSource::remarks() const
   return all;
 }
 
+/** The sign of a baseline is in no other number, and a wrong one gives a wrong map. */
+void
+SessionSource::checkDirections(const TrinocularFrame& frame) const
+{
+  for (const RigCamera camera : {RigCamera::Horizontal, RigCamera::Vertical}) {
+    if (!acmap::hasCamera(rig(), camera))
+      continue;
+    const acmap::PairDirection found = acmap::measureDirection(frame, rig(), camera);
+    if (!found.isContradicted())
+      continue;
+    const double baseline = camera == RigCamera::Horizontal ? rig().baseline_horizontal
+                                                            : rig().baseline_vertical;
+    const double share = static_cast<double>(found.opposite) /
+                         static_cast<double>(found.opposite + found.as_stated);
+    const std::string name = pcl::nameOf(camera);
+    const std::string fault =
+        rig_file_ + ": baseline_" + name + " = " + acmap::shortNumber(baseline) +
+        " m has the wrong sign, or the images of both cameras are swapped: " +
+        acmap::shortNumber(100.0 * share) +
+        " % of the pixels that match do so on the other side";
+    if (!settings_.keeps_baseline)
+      throw InputFileException(fault + "; " + acmap::shortNumber(-baseline) +
+                               " m there, or as --baseline, is what they show");
+    const std::lock_guard lock(reading_);
+    remarks_.push_back(fault);
+  }
+}
+
 SessionObservation
 SessionSource::fuse(const ObservationShots& shots,
                     const ProgressCallback& progress) const
 {
   const std::lock_guard lock(fusing_);
+  if (report_.observations == 0)
+    checkDirections(*shots.frames.front());
   SessionObservation made = fusion_->fuse(shots, progress);
   ++report_.observations;
   report_.frames += made.frames;

@@ -36,7 +36,7 @@ namespace acmap {
 double
 depthOf(const TrinocularRig& rig, double disparity)
 {
-  return rig.focal_length * disparityBaseline(rig) / disparity;
+  return rig.focal_length * disparityBaseline(rig) / (disparity + disparityOffset(rig));
 }
 
 SearchRange
@@ -47,15 +47,17 @@ disparitiesBetween(const TrinocularRig& rig, double nearest, double farthest)
   constexpr int max_disparities = 1024;
   const double longest =
       (hasCamera(rig, RigCamera::Horizontal) ? rig.width : rig.height) - 1.0;
-  // the conversion between depth and disparity is its own inverse
-  const double from = std::floor(depthOf(rig, farthest)) - 1.0;
+  const auto disparityAt = [&](double depth) {
+    return rig.focal_length * disparityBaseline(rig) / depth - disparityOffset(rig);
+  };
+  const double from = std::floor(disparityAt(farthest)) - 1.0;
   if (from > longest)
     throw acmap::BadArgument("at " + acmap::shortNumber(farthest) +
                              " m disparities are longer than the image, " +
                              std::to_string(static_cast<long>(longest)) +
                              " px; the rig's baseline is " +
                              acmap::shortNumber(disparityBaseline(rig)) + " m");
-  const double to = std::min(std::ceil(depthOf(rig, nearest)) + 1.0, longest);
+  const double to = std::min(std::ceil(disparityAt(nearest)) + 1.0, longest);
   SearchRange range;
   range.minimum = static_cast<int>(std::max(from, 0.0));
   range.count = std::clamp(

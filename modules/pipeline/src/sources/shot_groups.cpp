@@ -51,22 +51,21 @@ ShotGroups::restart(std::set<std::size_t> done)
 
 FrameRectifier::FrameRectifier(const std::string& path,
                                const TrinocularRig& rig,
-                               bool is_raw,
+                               std::optional<RigCalibration> cameras,
                                unsigned threads)
 : rig_(rig)
 {
   if (disparityBaseline(rig_) == 0.0)
     throw InputFileException(path +
                              ": the reference has no neighbour, both baselines are 0");
-  if (!is_raw)
+  if (!cameras)
     return;
   rectification_.emplace();
   rectification_->setNumberOfThreads(threads);
-  RigCalibration cameras = loadRigCalibration(path);
   for (const RigCamera camera : {RigCamera::Horizontal, RigCamera::Vertical})
-    cameras.camera(camera).is_there = hasCamera(rig_, camera);
+    cameras->camera(camera).is_there = hasCamera(rig_, camera);
   try {
-    rectification_->setInputCalibration(cameras);
+    rectification_->setInputCalibration(*cameras);
   }
   catch (const BadArgumentException& fault) {
     throw InputFileException(path + ": " + fault.what());

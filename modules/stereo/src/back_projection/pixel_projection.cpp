@@ -1,6 +1,7 @@
 #include "back_projection/pixel_projection.h"
 
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/rig_cameras.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,7 @@ PixelProjection::PixelProjection(const TrinocularRig& rig,
 , matched_(matched)
 , color_(color)
 , focal_baseline_(rig.focal_length * disparityBaseline(rig))
+, offset_(disparityOffset(rig))
 {}
 
 PixelCounts
@@ -62,7 +64,7 @@ PixelProjection::paint(std::size_t pixel, PointXYZRGBSigma& point) const
 std::size_t PixelCounts::*
 PixelProjection::place(std::size_t pixel, PointXYZRGBSigma& point) const
 {
-  const double disparity = matched_.disparity.values[pixel];
+  const double disparity = matched_.disparity.values[pixel] + offset_;
   const bool is_known = std::isfinite(disparity);
   const double z = focal_baseline_ / disparity;
   if (is_known && disparity > 0.0 && z >= limits_.minimum && z <= limits_.largest) {

@@ -56,7 +56,8 @@ private:
   const DepthLimits limits_;
   const MatchedDisparity& matched_;
   const CameraImage& color_;
-  const double focal_baseline_; // depth times disparity, px m
+  const double focal_baseline_; // depth times disparity with its offset, px m
+  const double offset_;         // px
 };
 
 } // namespace pcl::acmap

@@ -16,7 +16,7 @@ class YamlNode;
 namespace file_formats {
 
 inline constexpr std::size_t map = 2;     ///< map.json, PLANES.json
-inline constexpr std::size_t rig = 1;     ///< rig.yaml, rectified or calibrated
+inline constexpr std::size_t rig = 2;     ///< rig.yaml, rectified or calibrated
 inline constexpr std::size_t scene = 1;   ///< of pcl_simulated_rig
 inline constexpr std::size_t session = 1; ///< session.yaml, with the key version
 inline constexpr std::size_t frame = 1;   ///< frame_000000.acf

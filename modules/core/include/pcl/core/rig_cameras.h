@@ -31,4 +31,14 @@ countCameras(const TrinocularRig& rig)
       }));
 }
 
+/** \brief Disparity by which the principal points of a horizontal pair differ, px: a
+ * point at infinity has the negative of it. The depth of a disparity d is focal_length *
+ * baseline / (d + offset). \ingroup core */
+inline double
+disparityOffset(const TrinocularRig& rig)
+{
+  const double offset = rig.center_x_horizontal.value_or(rig.center_x) - rig.center_x;
+  return rig.baseline_horizontal < 0.0 ? -offset : offset;
+}
+
 } // namespace pcl::acmap

@@ -4,6 +4,7 @@
 #include <pcl/core/export.h>
 #include <pcl/core/impl/yaml_node.h>
 
+#include <optional>
 #include <string>
 
 namespace pcl {
@@ -30,6 +31,11 @@ struct TrinocularRig {
   double baseline_vertical = -0.10;
 
   double disparity_sigma = 0.13; ///< px, one standard deviation of a disparity
+
+  /** \brief Column of the principal point of the horizontal neighbour, px, where it is
+   * not center_x: disparities then have an offset, see \ref acmap::disparityOffset. Only
+   * without a vertical neighbour. */
+  std::optional<double> center_x_horizontal;
 };
 
 /** \brief Checks the parameters of a rig.

@@ -12,8 +12,7 @@
 
 namespace pcl {
 
-/** \brief Reads a pinhole camera from a 3 x 3 matrix in text, or from a `rig.yaml`.
- * \param[in] path ends in .yaml or .yml for a rig
+/** \brief Reads a pinhole camera as \ref loadCameraPinhole, whatever its images' size.
  * \throws InputFileException when it is missing or has no pinhole camera
  * \ingroup pipeline */
 ACMAP_EXPORT Pinhole

@@ -39,6 +39,10 @@ struct SessionSettings {
   /** \brief Are the frames as the cameras gave them? Not given: if the file of the cameras
    * has more than the rig of rectified frames. */
   std::optional<bool> rectify;
+  /** \brief The cameras of frames that are as the cameras gave them, in place of those in
+   * the file. */
+  std::optional<RigCalibration> cameras;
+  bool keeps_baseline = false; ///< even if the images contradict its sign
   /** \brief Image of the reference view of the first observation, taken without projected
    * light, as the cameras gave it; empty: none. */
   std::string color;
@@ -138,15 +142,15 @@ private:
  * already. */
 class ACMAP_EXPORT FrameRectifier {
 public:
-  /** \param[in] path of the rig's file
+  /** \param[in] path of the rig's file, for messages
    * \param[in] rig of the frames; cameras that it does not have are not used
-   * \param[in] is_raw true for unrectified frames of the cameras in the file
+   * \param[in] cameras that gave unrectified frames; nothing for rectified ones
    * \param[in] threads 0 = all
-   * \throws InputFileException when the rig cannot be matched; for unrectified frames
-   * also when the file's cameras are missing, malformed or cannot be rectified */
+   * \throws InputFileException when the rig cannot be matched or the cameras cannot be
+   * rectified */
   FrameRectifier(const std::string& path,
                  const TrinocularRig& rig,
-                 bool is_raw,
+                 std::optional<RigCalibration> cameras,
                  unsigned threads);
 
   /** \brief Rig of the rectified frames. */
@@ -354,6 +358,9 @@ private:
 
   TrinocularFrame::Ptr
   read(std::size_t index) const;
+
+  void
+  checkDirections(const TrinocularFrame& frame) const;
 
   const std::shared_ptr<const FrameReader> frames_;
   const SessionSettings settings_;

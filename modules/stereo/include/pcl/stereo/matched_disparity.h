@@ -79,7 +79,8 @@ countOutcomes(const MatchedDisparity& matched);
 
 /** \brief The baseline to which disparities refer, metres, above 0: the horizontal one
  * if there is a horizontal neighbour, else the vertical one; 0 without neighbours. The
- * depth of a disparity d is focal_length * baseline / d. \ingroup stereo */
+ * depth of a disparity d is focal_length * baseline / (d + \ref acmap::disparityOffset).
+ * \ingroup stereo */
 inline double
 disparityBaseline(const TrinocularRig& rig)
 {
