@@ -25,7 +25,7 @@ acceptedBy(const Read& read) -> std::optional<std::invoke_result_t<Read>>
   }
   catch (const InputFileException& refusal) {
     const std::string line = refusal.what();
-    const std::string begin = ": input: "; // PCL adds the colon
+    const std::string begin = "input: ";
     require(line.compare(0, begin.size(), begin) == 0 && line.size() > begin.size());
     require(std::none_of(
         line.begin(), line.end(), [](unsigned char letter) { return letter < ' '; }));

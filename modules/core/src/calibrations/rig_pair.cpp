@@ -319,12 +319,10 @@ fitToImages(const std::string& name, const RigImages& images, RigCalibration& ca
   const auto scale =
       scaleBetween(cameras.width, cameras.height, images.width, images.height);
   if (!scale)
-    failPair(
-        name,
-        "is for images of " + sizeText(cameras.width, cameras.height) +
-            " pixels, the images have " + size +
-            " and so another shape: they were cut, which the calibration has to follow "
-            "(width, height and the principal point)");
+    failPair(name,
+             "is for images of " + sizeText(cameras.width, cameras.height) +
+                 " pixels, the images have " + size +
+                 " and so another shape; a calibration of these images is needed");
   cameras.width = images.width;
   cameras.height = images.height;
   for (CameraCalibration& camera : cameras.cameras) {
