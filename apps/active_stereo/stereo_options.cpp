@@ -21,6 +21,38 @@ isGrey(const CameraImage& image)
   return true;
 }
 
+/** \brief What is known of the images of the lists, by the first of each.
+ * \throws UsageError for --rig-cameras that are not two */
+RigImages
+imagesOf(const StereoOptions& options)
+{
+  const CameraImage first = loadCameraImage(options.images.reference.front());
+  const auto isOfOneSize = [&](const std::vector<std::string>& list) {
+    if (list.empty())
+      return true;
+    const CameraImage other = loadCameraImage(list.front());
+    return other.width == first.width && other.height == first.height;
+  };
+  RigImages images;
+  // Where sizes differ, the reader of the frames names the image.
+  if (isOfOneSize(options.images.horizontal) && isOfOneSize(options.images.vertical)) {
+    images.width = first.width;
+    images.height = first.height;
+  }
+  images.has_horizontal = !options.images.horizontal.empty();
+  images.has_vertical = !options.images.vertical.empty();
+  images.are_raw = options.rectify;
+  images.are_grey = isGrey(first);
+  images.baseline = options.baseline;
+  if (options.rig_cameras.empty())
+    return images;
+  images.cameras = CLI::detail::split(options.rig_cameras, ',');
+  if (images.cameras.size() != 2)
+    throw UsageError("--rig-cameras: '" + options.rig_cameras.substr(0, 40) +
+                     "' are not two names with a comma between them");
+  return images;
+}
+
 void
 addRig(CLI::App& app, CLI::Option* reference, StereoOptions& options)
 {
@@ -138,32 +170,17 @@ requireSenseOfInput(const StereoOptions& options)
 CalibratedRig
 StereoOptions::rigOfLists() const
 {
-  const CameraImage first = loadCameraImage(images.reference.front());
-  RigImages of;
-  of.width = first.width;
-  of.height = first.height;
-  of.are_raw = rectify;
-  of.are_grey = isGrey(first);
-  of.baseline = baseline;
-  if (!rig_cameras.empty())
-    of.cameras = CLI::detail::split(rig_cameras, ',');
-  if (of.cameras.size() == 1 || of.cameras.size() > 2)
-    throw UsageError("--rig-cameras: '" + rig_cameras.substr(0, 40) +
-                     "' are not two names with a comma between them");
+  const RigImages of = imagesOf(*this);
   CalibratedRig found = loadRig(rig, of);
-  const auto use = [&](RigCamera camera,
-                       const std::vector<std::string>& list,
-                       double& place) {
+  const auto require = [&](RigCamera camera, bool is_listed, double& place) {
     const std::string name = nameOf(camera);
-    if (list.empty())
+    if (!is_listed)
       place = 0.0;
     else if (place == 0.0)
       throw UsageError("--" + name + ": " + rigPath() + " has no " + name + " camera");
   };
-  use(RigCamera::Horizontal, images.horizontal, found.rig.baseline_horizontal);
-  use(RigCamera::Vertical, images.vertical, found.rig.baseline_vertical);
-  if (images.horizontal.empty())
-    found.rig.center_x_horizontal.reset();
+  require(RigCamera::Horizontal, of.has_horizontal, found.rig.baseline_horizontal);
+  require(RigCamera::Vertical, of.has_vertical, found.rig.baseline_vertical);
   return found;
 }
 

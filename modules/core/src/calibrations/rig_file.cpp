@@ -43,6 +43,18 @@ placeText(double baseline)
   return (baseline > 0.0 ? "+" : "") + acmap::shortNumber(baseline) + " m";
 }
 
+/** \brief Removes the neighbours without images. */
+void
+leaveOut(const RigImages& images, TrinocularRig& rig)
+{
+  if (!images.has_vertical)
+    rig.baseline_vertical = 0.0;
+  if (images.has_horizontal)
+    return;
+  rig.baseline_horizontal = 0.0;
+  rig.center_x_horizontal.reset();
+}
+
 /** \brief Replaces the baselines of a `rig.yaml` by the one of its user. */
 void
 setBaseline(const std::string& name, const RigImages& images, TrinocularRig& rig)
@@ -83,6 +95,7 @@ rigOfRigFile(const std::string& name,
 {
   CalibratedRig found;
   found.rig = *calibration.rig;
+  leaveOut(images, found.rig);
   setBaseline(name, images, found.rig);
   const std::string scaled = fitRig(name, images, found.rig);
   found.told = calibration.kind;

@@ -53,6 +53,9 @@ struct RigImages {
   bool of_camera = false; ///< live: raw where the calibration has the cameras as built
   bool are_grey = false;  ///< KITTI has a pair of grey and one of colour cameras
 
+  bool has_horizontal = true; ///< else a horizontal neighbour of a rig.yaml is not used
+  bool has_vertical = true;   ///< likewise
+
   /** \brief Position of the neighbour along x (y of a vertical one), metres, in place of
    * what the calibration says. */
   std::optional<double> baseline;
