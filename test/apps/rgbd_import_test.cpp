@@ -202,7 +202,7 @@ TEST_F(RgbdImport, CameraComesFromAFileOfEitherKind)
                           "0 0 3\n0 12 2\n0 0 1\n",
                           "1e-300 0 3\n0 12 2\n0 0 1\n"})
     expectRefused(run({"--intrinsics", input_.write("k.txt", bad)}), 3, "k.txt: ");
-  expectRefused(run({"--intrinsics", input_.path("none")}), 3, "none: is missing");
+  expectRefused(run({"--intrinsics", input_.path("none")}), 3, "none: No such file");
 }
 
 TEST_F(RgbdImport, FramesWithoutPoseOrPartnerAreCounted)
