@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace pcl::acmap::test {
 namespace {
 
@@ -73,6 +76,42 @@ TEST_F(ActiveStereoCalibrations, AMatrixAndABaselineAreEnough)
   const ToolRun by_matrix = runLists({"--baseline", "-0.1"}).succeeded();
   EXPECT_THAT(by_matrix.out, HasSubstr("a camera matrix as text"));
   EXPECT_EQ(contentOf(out("disparity.pfm")), disparities);
+}
+
+/** Images that begin two columns farther right have a principal point two less. */
+TEST_F(ActiveStereoCalibrations, DepthsAreThoseOfPairsWithAnotherPrincipalPoint)
+{
+  useRoom();
+  runLists().succeeded();
+  const StereoCloud wanted = loadStereo(out("observation_0000.pcd")).cloud;
+  std::filesystem::remove_all(out_);
+  constexpr int shift = 2;
+  for (std::string& path : images_[1]) {
+    const RgbImage image = loadRgbImage(path);
+    RgbImage shifted = image;
+    for (int row = 0; row < image.height; ++row)
+      for (int column = 0; column + shift < image.width; ++column)
+        std::copy_n(image.at(column + shift, row), 3, shifted.at(column, row));
+    path = folder_.path(std::filesystem::path(path).filename().string());
+    savePng(path, shifted);
+  }
+  TrinocularRig rig = loadTrinocularRig(rig_);
+  rig.baseline_vertical = 0;
+  rig.center_x_horizontal = rig.center_x - shift;
+  rig_ = folder_.path("verged.yaml");
+  saveTrinocularRig(rig_, rig);
+  runLists().succeeded();
+  const StereoCloud found = loadStereo(out("observation_0000.pcd")).cloud;
+  ASSERT_EQ(found.size(), wanted.size());
+  std::size_t both = 0;
+  std::size_t equal = 0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (std::isfinite(found[i].z) && std::isfinite(wanted[i].z)) {
+      ++both;
+      equal += std::abs(found[i].z - wanted[i].z) < 0.05F * wanted[i].z ? 1 : 0;
+    }
+  EXPECT_GT(both, found.size() / 4);
+  EXPECT_GT(equal, both * 9 / 10); // 5 % are a third of a pixel
 }
 
 TEST_F(ActiveStereoCalibrations, CalibrationsOfOthersMatchAPublicPair)
