@@ -8,6 +8,7 @@
 #include <pcl/core/impl/surface_noise.h>
 #include <pcl/core/impl/voxel_moments.h>
 #include <pcl/core/impl/voxel_windows.h>
+#include <pcl/core/impl/zero_points.h>
 #include <pcl/core/noise_scale.h>
 
 #include <algorithm>
@@ -624,23 +625,6 @@ verify(const PointView& points, unsigned threads, NoiseScale& scale)
         "; a voxel size can be stated");
 }
 
-/** The points but those at the origin, if these are so many that they would look like a
- * surface; otherwise nothing. */
-std::vector<Eigen::Vector3f>
-withoutZeros(const PointView& points)
-{
-  constexpr std::size_t few = 1000; // one of so many
-  std::size_t zeros = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    zeros += points[i].isZero(0);
-  std::vector<Eigen::Vector3f> kept;
-  if (zeros * few > points.size())
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (!points[i].isZero(0))
-        kept.push_back(points[i]);
-  return kept;
-}
-
 } // namespace
 
 NoiseScale
@@ -649,10 +633,13 @@ measureNoiseScale(const PointView& points,
                   unsigned threads,
                   std::size_t width)
 {
-  const std::vector<Eigen::Vector3f> kept = withoutZeros(points);
-  if (!kept.empty())
+  if (const std::optional<Indices> places = withoutZeros(points)) {
+    std::vector<Eigen::Vector3f> kept;
+    for (const index_t place : *places)
+      kept.push_back(points[static_cast<std::size_t>(place)]);
     return measureNoiseScale(
         PointView(kept.data(), sizeof(Eigen::Vector3f), kept.size()), {}, threads);
+  }
   return withThreads(threads, [&] {
     NoiseScale scale = measureInSpace(points, sensors, threads);
     if (scale.spacing > 0)

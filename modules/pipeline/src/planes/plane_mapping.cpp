@@ -11,6 +11,7 @@
 #include <pcl/core/impl/mesh_input.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/impl/up_direction.h>
+#include <pcl/core/impl/zero_points.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/pipeline/picture.h>
 #include <pcl/pipeline/plane_mapping.h>
@@ -71,25 +72,6 @@ rowsOfIndices(const CloudRows& rows, const Indices& indices)
     if (!is_kept[i])
       std::memcpy(&kept[i * step + x], nowhere.data(), sizeof nowhere);
   return {std::move(layout), std::move(kept)};
-}
-
-/** The points but those at (0, 0, 0), which invalid ones are in files of some programs, if
- * these are more than one of a thousand: a sensor there never measures itself. */
-std::optional<Indices>
-withoutZeros(const PointView& points)
-{
-  constexpr std::size_t few = 1000; // one of so many
-  std::size_t zeros = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    zeros += points[i].isZero(0);
-  if (zeros * few <= points.size() || zeros == points.size())
-    return std::nullopt;
-  Indices kept;
-  kept.reserve(points.size() - zeros);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!points[i].isZero(0))
-      kept.push_back(static_cast<index_t>(i));
-  return kept;
 }
 
 /** The rows of some points, in their order, not organized. */
