@@ -46,11 +46,13 @@ function(acmap_find_library target header library)
 endfunction()
 
 acmap_find_library(lzf liblzf/lzf.h lzf)
-# These three have package files in some distributions only. FLANN's headers call lz4, too: a
+# These five have package files in some distributions only. FLANN's headers call lz4, too: a
 # search tree of PCL's, compiled for our point type, needs it.
 acmap_find_library(turbojpeg turbojpeg.h turbojpeg)
 acmap_find_library(lz4 lz4frame.h lz4)
 acmap_find_library(zstd zstd.h zstd)
+acmap_find_library(bz2 bzlib.h bz2)
+acmap_find_library(sqlite3 sqlite3.h sqlite3)
 # libusb has one for pkg-config alone.
 acmap_if_chosen(needs_libusb acquisition)
 if(needs_libusb)

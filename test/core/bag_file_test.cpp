@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cstring>
 
 namespace pcl::acmap::test {
@@ -65,7 +66,7 @@ TEST(BagFile, MessagesOfAllPackings)
 TEST(BagFile, UglyBagsAreRefusedWithTheirFault)
 {
   const std::string whole = bagOfTexts("zstd");
-  expectFault("no bag at all, but long enough", "no MCAP file");
+  expectFault("no bag at all, but long enough", "is no bag: neither MCAP");
   for (const std::size_t length : {whole.size() - 1, whole.size() / 2, std::size_t{12}})
     EXPECT_THROW(
         {
@@ -147,6 +148,11 @@ TEST(RosMessages, ImagesBecomeColoursAndMetres)
   EXPECT_THAT(colors("bgr8", 2, pixels), ElementsAre(3, 2, 1, 6, 5, 4));
   EXPECT_THAT(colors("bgra8", 1, "\1\2\3\4"), ElementsAre(3, 2, 1));
   EXPECT_THAT(colors("mono8", 2, "\1\2"), ElementsAre(1, 1, 1, 2, 2, 2));
+  // bright red in Y U Y V and U Y V Y
+  EXPECT_THAT(colors("yuv422_yuy2", 2, "\x51\x5a\x51\xf0"),
+              ElementsAre(254, 0, 0, 254, 0, 0));
+  EXPECT_THAT(colors("yuv422", 2, "\x5a\x51\xf0\x51"),
+              ElementsAre(254, 0, 0, 254, 0, 0));
   const RosImage image = readRosImage(
       imageMessage(7.25, "cam", 1, 2, "16UC1", std::string("\xe8\3\0\0", 4)), "m");
   EXPECT_EQ(image.header.frame, "cam");
@@ -159,6 +165,21 @@ TEST(RosMessages, ImagesBecomeColoursAndMetres)
       depthsOf(readRosImage(imageMessage(0, "cam", 2, 1, "32FC1", data), "m"), "m")
           .metres,
       ElementsAre(1.5F, 0.0F));
+}
+
+TEST(RosMessages, BayerPatternsHaveTheColoursOfTheirSquares)
+{
+  // red 9, green 4 and 6, blue 2, and an odd column
+  for (const auto& [encoding, square] : {std::pair("bayer_rggb8", "\x9\4\1\6\2\1"),
+                                         {"bayer_bggr8", "\2\4\1\6\x9\1"},
+                                         {"bayer_gbrg8", "\4\2\1\x9\6\1"},
+                                         {"bayer_grbg8", "\4\x9\1\2\6\1"}}) {
+    const RgbImage colors = colorsOf(
+        readRosImage(imageMessage(1, "cam", 3, 2, encoding, square), "m"), "m");
+    ASSERT_EQ(colors.values.size(), 18U);
+    for (std::size_t i = 0; i < 18; ++i)
+      EXPECT_EQ(colors.values[i], (std::array<int, 3>{9, 5, 2})[i % 3]) << encoding;
+  }
 }
 
 TEST(RosMessages, CompressedImages)
@@ -222,18 +243,19 @@ TEST(RosMessages, UglyMessagesAreRefused)
 {
   const auto refuse =
       [](const auto& read, const std::string& bytes, const char* fault) {
-        expectThrow<InputFileException>([&] { read(bytes, "bag: /topic"); }, fault);
+        expectThrow<InputFileException>(
+            [&] { read(bytes, "bag: /topic", RosSerialization::Cdr); }, fault);
       };
   const std::string image = imageMessage(1, "cam", 4, 4, "mono8", std::string(16, 'x'));
   for (std::size_t length = 0; length < image.size(); ++length)
     EXPECT_THROW(readRosImage(image.substr(0, length), "m"), InputFileException);
   refuse(readRosImage, std::string("\0\0", 2) + image.substr(2), "little-endian CDR");
-  refuse([](const auto& b, const auto& n) { colorsOf(readRosImage(b, n), n); },
+  refuse([](const auto& b, const auto& n, auto) { colorsOf(readRosImage(b, n), n); },
          imageMessage(1, "cam", 1000, 1000, "mono8", std::string(1000, 'x')),
          "bag: /topic: ");
-  refuse([](const auto& b, const auto& n) { colorsOf(readRosImage(b, n), n); },
-         imageMessage(1, "cam", 2, 1, "yuv422", "xxxx"),
-         "'yuv422'");
+  refuse([](const auto& b, const auto& n, auto) { colorsOf(readRosImage(b, n), n); },
+         imageMessage(1, "cam", 2, 1, "hsv8", "xxxx"),
+         "'hsv8'");
   refuse(readRosCloud,
          cloudMessage(1, "cam", 1U << 31, 1U << 31, std::string(16, 'x')),
          "");

@@ -6,6 +6,16 @@
 #include <cstdint>
 #include <cstdlib>
 
+namespace {
+
+bool
+isRos1(const std::uint8_t* data, std::size_t size)
+{
+  return size > 0 && data[0] == '#'; // of #ROSBAG
+}
+
+} // namespace
+
 /** A bag is refused, or each of its messages is inside of its chunk or of the file. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -13,7 +23,8 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   using namespace pcl::acmap;
   try {
     ByteSource source("input", data, size);
-    const BagIndex index = readBagIndex(source);
+    const BagIndex index =
+        isRos1(data, size) ? readRos1Index(source) : readMcapIndex(source);
     std::size_t messages = 0;
     for (const pcl::BagChannel& channel : index.channels)
       messages += channel.messages;

@@ -2,6 +2,7 @@
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/ros_messages.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
@@ -31,9 +32,9 @@ readImage(const RosImage& image)
 }
 
 void
-readCloud(std::string_view bytes)
+readCloud(std::string_view bytes, RosSerialization serialization)
 {
-  const PCLPointCloud2 cloud = readRosCloud(bytes, "input").cloud;
+  const PCLPointCloud2 cloud = readRosCloud(bytes, "input", serialization).cloud;
   if (cloud.data.size() != acmap::rowsOf(cloud) * cloud.point_step ||
       !acmap::findField(cloud, "x", PCLPointField::FLOAT32))
     std::abort();
@@ -48,7 +49,7 @@ requirePose(const Eigen::Isometry3d& pose)
 
 } // namespace
 
-/** The first byte chooses the message. */
+/** The first byte chooses the message, and its highest bit the serialization. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
@@ -56,28 +57,35 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   try {
-    switch (data[0] % 7) {
+    const auto serialization =
+        data[0] < 128 ? RosSerialization::Cdr : RosSerialization::Ros1;
+    switch (data[0] % 128 % 8) {
     case 0:
-      readImage(readRosImage(bytes, "input"));
+      readImage(readRosImage(bytes, "input", serialization));
       break;
     case 1:
-      readImage(readRosCompressedImage(bytes, "input"));
+      readImage(readRosCompressedImage(bytes, "input", serialization));
       break;
     case 2:
-      readCloud(bytes);
+      readCloud(bytes, serialization);
       break;
     case 3:
-      for (const RosTransform& transform : readRosTransforms(bytes, "input"))
+      for (const RosTransform& transform :
+           readRosTransforms(bytes, "input", serialization))
         requirePose(transform.T_parent_child);
       break;
     case 4:
-      requirePose(readRosOdometry(bytes, "input").T_parent_child);
+      requirePose(readRosOdometry(bytes, "input", serialization).T_parent_child);
       break;
     case 5:
-      requirePose(readRosPose(bytes, "input").T_parent_child);
+      requirePose(readRosPose(bytes, "input", serialization).T_parent_child);
+      break;
+    case 7:
+      if (!std::isfinite(readRosScan(bytes, "input", serialization).angle_step))
+        std::abort();
       break;
     default:
-      if (!(readRosCameraInfo(bytes, "input").pinhole.fx > 0))
+      if (!(readRosCameraInfo(bytes, "input", serialization).pinhole.fx > 0))
         std::abort();
     }
   }

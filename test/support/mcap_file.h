@@ -64,7 +64,8 @@ public:
   std::string bytes = std::string("\0\1\0\0", 4);
 };
 
-inline std::string
+template <typename Bytes = CdrBytes>
+std::string
 imageMessage(double stamp,
              const std::string& frame,
              std::uint32_t width,
@@ -72,13 +73,14 @@ imageMessage(double stamp,
              const std::string& encoding,
              const std::string& data)
 {
-  CdrBytes cdr;
+  Bytes cdr;
   cdr.addHeader(stamp, frame).add(height).add(width).addText(encoding);
   cdr.add(std::uint8_t{0}).add(static_cast<std::uint32_t>(data.size() / height));
   return cdr.addBytes(data).bytes;
 }
 
-inline std::string
+template <typename Bytes = CdrBytes>
+std::string
 cameraMessage(double stamp,
               const std::string& frame,
               std::uint32_t width,
@@ -86,7 +88,7 @@ cameraMessage(double stamp,
               const Eigen::Matrix3d& matrix,
               double distortion = 0)
 {
-  CdrBytes cdr;
+  Bytes cdr;
   cdr.addHeader(stamp, frame).add(height).add(width).addText("plumb_bob");
   cdr.add(std::uint32_t{5});
   for (int i = 0; i < 5; ++i)
@@ -101,26 +103,28 @@ cameraMessage(double stamp,
   return cdr.bytes;
 }
 
-inline std::string
+template <typename Bytes = CdrBytes>
+std::string
 transformMessage(double stamp,
                  const std::string& parent,
                  const std::string& child,
                  const Eigen::Isometry3d& T_parent_child)
 {
-  CdrBytes cdr;
+  Bytes cdr;
   cdr.add(std::uint32_t{1}).addHeader(stamp, parent).addText(child);
   return cdr.addPose(T_parent_child).bytes;
 }
 
 /** \brief A cloud of x y z (float32) and rgb (packed), each a row of 16 bytes. */
-inline std::string
+template <typename Bytes = CdrBytes>
+std::string
 cloudMessage(double stamp,
              const std::string& frame,
              std::uint32_t width,
              std::uint32_t height,
              const std::string& rows)
 {
-  CdrBytes cdr;
+  Bytes cdr;
   cdr.addHeader(stamp, frame).add(height).add(width).add(std::uint32_t{4});
   std::uint32_t offset = 0;
   for (const char* name : {"x", "y", "z", "rgb"}) {
@@ -129,6 +133,38 @@ cloudMessage(double stamp,
   }
   cdr.add(std::uint8_t{0}).add(std::uint32_t{16}).add(16 * width);
   return cdr.addBytes(rows).add(std::uint8_t{0}).bytes;
+}
+
+template <typename Bytes = CdrBytes>
+std::string
+odometryMessage(double stamp,
+                const std::string& parent,
+                const std::string& child,
+                const Eigen::Isometry3d& T_parent_child)
+{
+  Bytes cdr;
+  cdr.addHeader(stamp, parent).addText(child).addPose(T_parent_child);
+  return cdr.bytes;
+}
+
+/** \brief A scan of a laser that reaches from 0.1 to 30 m. */
+template <typename Bytes = CdrBytes>
+std::string
+scanMessage(double stamp,
+            const std::string& frame,
+            float first_angle,
+            float angle_step,
+            const std::vector<float>& ranges)
+{
+  const float last = first_angle + angle_step * static_cast<float>(ranges.size() - 1);
+  Bytes cdr;
+  cdr.addHeader(stamp, frame);
+  for (const float value : {first_angle, last, angle_step, 0.0F, 0.1F, 0.1F, 30.0F})
+    cdr.add(value);
+  cdr.add(static_cast<std::uint32_t>(ranges.size()));
+  for (const float range : ranges)
+    cdr.add(range);
+  return cdr.add(std::uint32_t{0}).bytes; // no intensities
 }
 
 /** \brief Writes bags as the specification of MCAP has them, with a summary. */

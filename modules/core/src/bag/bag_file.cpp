@@ -1,11 +1,13 @@
+#include "bag/bag_files.h"
 #include "bag/bag_index.h"
 #include "bag/byte_cursor.h"
 #include "bag/chunk_unpacking.h"
+#include "bag/sqlite_bag.h"
 #include "files/byte_source.h"
 
 #include <pcl/core/bag_file.h>
 
-#include <zlib.h>
+#include <zstd.h>
 
 #include <algorithm>
 #include <list>
@@ -19,279 +21,145 @@ namespace acmap {
 
 namespace {
 
-constexpr std::string_view bag_magic("\x89MCAP0\r\n", 8);
-
-enum class BagOpcode : std::uint8_t {
-  Footer = 2,
-  Schema = 3,
-  Channel = 4,
-  Message = 5,
-  Chunk = 6,
-  DataEnd = 15
+/** \brief A file of a bag: its chunks, or its database. */
+struct BagPart {
+  std::string path;
+  std::vector<BagChunk> chunks;
+  std::unique_ptr<SqliteBag> database;
 };
 
-std::uint32_t
-bagChecksum(std::string_view bytes, std::uint32_t before = 0)
+bool
+beginsWith(ByteSource& source, std::string_view begin)
 {
-  uLong sum = before;
-  while (!bytes.empty()) { // zlib counts in 32 bits
-    const std::size_t part = std::min(bytes.size(), std::size_t{1} << 30);
-    sum = ::crc32(
-        sum, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(part));
-    bytes.remove_prefix(part);
-  }
-  return static_cast<std::uint32_t>(sum);
+  return source.ahead(begin.size()).substr(0, begin.size()) == begin;
 }
-
-std::string
-unpackedChunk(const BagChunk& chunk, std::string_view packed, const ByteSource& source)
-{
-  const auto fail = [&](const std::string& fault) {
-    source.fail("its chunk at byte " + std::to_string(chunk.offset) + " " + fault);
-  };
-  // what real data can be packed to; a chunk of zeros could claim any size
-  constexpr std::uint64_t max_expansion = 450, always = std::uint64_t{1} << 20;
-  if (chunk.bytes > std::max(always, max_expansion * packed.size()))
-    fail("claims " + std::to_string(chunk.bytes) + " bytes, packed to " +
-         std::to_string(packed.size()));
-  std::string bytes = unpackChunk(chunk.packing, packed, chunk.bytes, fail);
-  if (chunk.checksum != 0 && bagChecksum(bytes) != chunk.checksum)
-    fail("is damaged: its checksum is wrong");
-  return bytes;
-}
-
-/** \brief Collects what a bag has from its records. */
-class BagReading {
-public:
-  explicit BagReading(ByteSource& source)
-  : source_(source)
-  {}
-
-  BagIndex
-  read()
-  {
-    if (!isAtMagic())
-      source_.fail("is no MCAP file: it does not begin as one");
-    readBytes(bag_magic.size());
-    while (readRecord()) {
-    }
-    if (!isAtMagic())
-      source_.fail("does not end as an MCAP file");
-    return std::move(index_);
-  }
-
-private:
-  bool
-  isAtMagic()
-  {
-    return source_.ahead(bag_magic.size()).substr(0, bag_magic.size()) == bag_magic;
-  }
-
-  std::string
-  nameAt(std::uint64_t place) const
-  {
-    return source_.name() + ": its record at byte " + std::to_string(place);
-  }
-
-  std::string
-  readBytes(std::uint64_t count)
-  {
-    std::string bytes(count, '\0');
-    source_.read(bytes.data(), bytes.size());
-    sum_ = bagChecksum(bytes, sum_);
-    return bytes;
-  }
-
-  /** \return false after the last record */
-  bool
-  readRecord()
-  {
-    constexpr std::uint64_t head_bytes = 9;
-    const std::uint64_t begin = source_.size() - source_.remaining();
-    const std::uint32_t sum_before = sum_;
-    const auto require = [&](std::uint64_t bytes) {
-      if (bytes > source_.remaining())
-        source_.fail("is truncated within its record at byte " + std::to_string(begin) +
-                     ", as a recording that was not closed; mcap recover repairs it");
-    };
-    require(head_bytes);
-    const std::string bytes = readBytes(head_bytes);
-    ByteCursor head(bytes, nameAt(begin));
-    const auto opcode = static_cast<BagOpcode>(head.number<std::uint8_t>());
-    const auto length = head.number<std::uint64_t>();
-    require(length);
-    switch (opcode) {
-    case BagOpcode::Chunk:
-      readChunk(begin, readBytes(length));
-      return true;
-    case BagOpcode::Schema:
-    case BagOpcode::Channel:
-    case BagOpcode::Message:
-      take(opcode, readBytes(length), nameAt(begin), -1, begin + head_bytes);
-      return true;
-    case BagOpcode::DataEnd: {
-      const std::string content = readBytes(length);
-      const auto sum = ByteCursor(content, nameAt(begin)).number<std::uint32_t>();
-      if (sum != 0 && sum != sum_before)
-        source_.fail("is damaged: the checksum of its data is wrong");
-      return true;
-    }
-    default: // indices, attachments, and what later versions may add
-      constexpr std::uint64_t step = 65536;
-      for (std::uint64_t left = length; left > 0; left -= std::min(left, step))
-        readBytes(std::min(left, step));
-      return opcode != BagOpcode::Footer;
-    }
-  }
-
-  void
-  readChunk(std::uint64_t begin, const std::string& content)
-  {
-    constexpr std::uint64_t head_bytes = 9;
-    ByteCursor cursor(content, nameAt(begin));
-    cursor.take(16); // times of its first and last message
-    BagChunk chunk;
-    chunk.bytes = cursor.number<std::uint64_t>();
-    chunk.checksum = cursor.number<std::uint32_t>();
-    chunk.packing = cursor.sized();
-    chunk.packed_bytes = cursor.number<std::uint64_t>();
-    chunk.offset = begin + head_bytes + cursor.place();
-    const std::string bytes =
-        unpackedChunk(chunk, cursor.take(chunk.packed_bytes), source_);
-    const auto number = static_cast<std::int64_t>(index_.chunks.size());
-    index_.chunks.push_back(std::move(chunk));
-    readRecordsOf(bytes, nameAt(begin), number);
-  }
-
-  void
-  readRecordsOf(std::string_view bytes, const std::string& name, std::int64_t chunk)
-  {
-    ByteCursor records(bytes, name);
-    while (records.remaining() > 0) {
-      const auto opcode = static_cast<BagOpcode>(records.number<std::uint8_t>());
-      const auto length = records.number<std::uint64_t>();
-      const std::size_t place = records.place();
-      take(opcode, records.take(length), name, chunk, place);
-    }
-  }
-
-  /** \param[in] chunk -1: none
-   * \param[in] place of the content in the chunk, or in the file */
-  void
-  take(BagOpcode opcode,
-       std::string_view content,
-       const std::string& name,
-       std::int64_t chunk,
-       std::uint64_t place)
-  {
-    ByteCursor cursor(content, name);
-    switch (opcode) {
-    case BagOpcode::Schema: {
-      const auto id = cursor.number<std::uint16_t>();
-      schemas_.emplace(id, cursor.sized());
-      return;
-    }
-    case BagOpcode::Channel:
-      return takeChannel(cursor);
-    case BagOpcode::Message: {
-      const auto id = cursor.number<std::uint16_t>();
-      const auto channel = channels_.find(id);
-      if (channel == channels_.end())
-        cursor.fail("has a message of channel " + std::to_string(id) +
-                    ", which is not defined before");
-      cursor.take(4); // its number
-      BagMessage message;
-      message.channel = channel->second;
-      message.time = 1e-9 * static_cast<double>(cursor.number<std::uint64_t>());
-      cursor.take(8); // the time of its publication
-      message.chunk = chunk;
-      message.offset = place + cursor.place();
-      message.bytes = cursor.remaining();
-      index_.messages.push_back(message);
-      ++index_.channels[message.channel].messages;
-      return;
-    }
-    default: // nothing else may be in a chunk
-      return;
-    }
-  }
-
-  void
-  takeChannel(ByteCursor& cursor)
-  {
-    const auto id = cursor.number<std::uint16_t>();
-    if (channels_.count(id) > 0)
-      return; // the same again
-    const auto schema = cursor.number<std::uint16_t>();
-    BagChannel channel;
-    channel.topic = cursor.sized();
-    channel.encoding = cursor.sized();
-    if (schema != 0) {
-      const auto known = schemas_.find(schema);
-      if (known == schemas_.end())
-        cursor.fail("has a channel " + channel.topic.substr(0, 100) + " of schema " +
-                    std::to_string(schema) + ", which is not defined before");
-      channel.type = known->second;
-    }
-    channels_[id] = index_.channels.size();
-    index_.channels.push_back(std::move(channel));
-  }
-
-  ByteSource& source_;
-  std::uint32_t sum_ = 0; ///< checksum of all bytes so far
-  std::map<std::uint16_t, std::string> schemas_;
-  std::map<std::uint16_t, std::size_t> channels_;
-  BagIndex index_;
-};
-
-} // namespace
 
 BagIndex
-readBagIndex(ByteSource& source)
+openPart(BagPart& part)
 {
-  return BagReading(source).read();
+  ByteSource source(part.path);
+  if (beginsWith(source, "SQLite format 3")) {
+    part.database = std::make_unique<SqliteBag>(part.path);
+    return part.database->readIndex();
+  }
+  BagIndex index;
+  if (beginsWith(source, "#ROSBAG V"))
+    index = readRos1Index(source);
+  else if (beginsWith(source, "\x89MCAP"))
+    index = readMcapIndex(source);
+  else
+    source.fail("is no bag: neither MCAP, nor SQLite 3, nor a bag of ROS 1");
+  part.chunks = std::move(index.chunks);
+  return index;
 }
 
+/** \brief Unpacks a message that rosbag2 has packed alone; CDR never begins like that. */
 std::string
-readBagChunk(const BagChunk& chunk, ByteSource& source)
+unpackedMessage(std::string bytes, const std::string& path)
 {
-  source.moveTo(chunk.offset);
-  if (chunk.packed_bytes > source.remaining())
-    source.fail("became shorter while it was read");
-  std::string packed(chunk.packed_bytes, '\0');
-  source.read(packed.data(), packed.size());
-  return unpackedChunk(chunk, packed, source);
+  constexpr std::string_view magic = "\x28\xb5\x2f\xfd";
+  if (std::string_view(bytes).substr(0, magic.size()) != magic)
+    return bytes;
+  const auto fail = [&](const std::string& fault) {
+    throw InputFileException(path + ": has a message that " + fault);
+  };
+  constexpr std::uint64_t max_bytes = std::uint64_t{1} << 32;
+  const std::uint64_t size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+  if (size > max_bytes)
+    fail("is packed with zstd in a damaged way");
+  return unpackChunk("zstd", bytes, size, fail);
 }
+
+} // namespace
 
 } // namespace acmap
 
 struct BagFile::Content {
   std::string path;
-  acmap::BagIndex index;
+  std::vector<std::string> remarks;
+  std::vector<acmap::BagPart> parts;
+  std::vector<BagChannel> channels;
+  std::vector<BagMessage> messages;
+
+  using ChunkName = std::pair<std::uint32_t, std::int64_t>; ///< part, number
   std::mutex mutex;
   /** \brief The chunks that were used last, the last one first. */
-  std::list<std::pair<std::int64_t, std::shared_ptr<const std::string>>> unpacked;
+  std::list<std::pair<ChunkName, std::shared_ptr<const std::string>>> unpacked;
+
+  void
+  append(acmap::BagIndex index)
+  {
+    const auto part = static_cast<std::uint32_t>(parts.size() - 1);
+    std::vector<std::size_t> numbers;
+    for (BagChannel& channel : index.channels)
+      numbers.push_back(numberOf(std::move(channel)));
+    for (BagMessage& message : index.messages) {
+      message.channel = numbers[message.channel];
+      message.part = part;
+      messages.push_back(message);
+    }
+  }
+
+  /** \brief Index of a channel among those of all parts: several publishers of a topic have
+   * a channel each. */
+  std::size_t
+  numberOf(BagChannel channel)
+  {
+    const auto same = [&](const BagChannel& known) {
+      return known.topic == channel.topic && known.type == channel.type &&
+             known.encoding == channel.encoding;
+    };
+    const auto found = std::find_if(channels.begin(), channels.end(), same);
+    if (found == channels.end()) {
+      channels.push_back(std::move(channel));
+      return channels.size() - 1;
+    }
+    found->messages += channel.messages;
+    return static_cast<std::size_t>(found - channels.begin());
+  }
 
   std::shared_ptr<const std::string>
-  chunk(std::int64_t number)
+  chunk(const ChunkName& name)
   {
     constexpr std::size_t max_kept =
         3; // colours and depths may be in neighbouring ones
     const std::lock_guard lock(mutex);
     const auto found =
         std::find_if(unpacked.begin(), unpacked.end(), [&](const auto& kept) {
-          return kept.first == number;
+          return kept.first == name;
         });
     if (found != unpacked.end()) {
       unpacked.splice(unpacked.begin(), unpacked, found);
       return unpacked.front().second;
     }
-    acmap::ByteSource source(path);
-    auto bytes = std::make_shared<const std::string>(
-        acmap::readBagChunk(index.chunks.at(static_cast<std::size_t>(number)), source));
-    unpacked.emplace_front(number, bytes);
+    const acmap::BagPart& part = parts[name.first];
+    acmap::ByteSource source(part.path);
+    auto bytes = std::make_shared<const std::string>(acmap::readBagChunk(
+        part.chunks.at(static_cast<std::size_t>(name.second)), source));
+    unpacked.emplace_front(name, bytes);
     if (unpacked.size() > max_kept)
       unpacked.pop_back();
+    return bytes;
+  }
+
+  std::string
+  load(const BagMessage& message)
+  {
+    const acmap::BagPart& part = parts.at(message.part);
+    if (part.database)
+      return part.database->load(message);
+    if (message.chunk >= 0) {
+      const auto bytes = chunk({message.part, message.chunk});
+      acmap::ByteCursor cursor(*bytes, part.path);
+      cursor.take(message.offset);
+      return std::string(cursor.take(message.bytes));
+    }
+    acmap::ByteSource source(part.path);
+    source.moveTo(message.offset);
+    if (message.bytes > source.remaining())
+      source.fail("became shorter while it was read");
+    std::string bytes(message.bytes, '\0');
+    source.read(bytes.data(), bytes.size());
     return bytes;
   }
 };
@@ -299,9 +167,13 @@ struct BagFile::Content {
 BagFile::BagFile(const std::string& path)
 : content_(std::make_shared<Content>())
 {
-  acmap::ByteSource source(path);
+  acmap::BagFiles files = acmap::findBagFiles(path);
   content_->path = path;
-  content_->index = acmap::readBagIndex(source);
+  content_->remarks = std::move(files.remarks);
+  for (std::string& file : files.paths) {
+    content_->parts.push_back({std::move(file), {}, nullptr});
+    content_->append(acmap::openPart(content_->parts.back()));
+  }
 }
 
 const std::string&
@@ -310,34 +182,37 @@ BagFile::path() const
   return content_->path;
 }
 
+std::vector<std::string>
+BagFile::files() const
+{
+  std::vector<std::string> files;
+  for (const acmap::BagPart& part : content_->parts)
+    files.push_back(part.path);
+  return files;
+}
+
+const std::vector<std::string>&
+BagFile::remarks() const
+{
+  return content_->remarks;
+}
+
 const std::vector<BagChannel>&
 BagFile::channels() const
 {
-  return content_->index.channels;
+  return content_->channels;
 }
 
 const std::vector<BagMessage>&
 BagFile::messages() const
 {
-  return content_->index.messages;
+  return content_->messages;
 }
 
 std::string
 BagFile::load(const BagMessage& message) const
 {
-  if (message.chunk >= 0) {
-    const std::shared_ptr<const std::string> chunk = content_->chunk(message.chunk);
-    acmap::ByteCursor cursor(*chunk, path());
-    cursor.take(message.offset);
-    return std::string(cursor.take(message.bytes));
-  }
-  acmap::ByteSource source(path());
-  source.moveTo(message.offset);
-  if (message.bytes > source.remaining())
-    source.fail("became shorter while it was read");
-  std::string bytes(message.bytes, '\0');
-  source.read(bytes.data(), bytes.size());
-  return bytes;
+  return acmap::unpackedMessage(content_->load(message), path());
 }
 
 } // namespace pcl

@@ -1,5 +1,6 @@
 #include "bag/chunk_unpacking.h"
 
+#include <bzlib.h>
 #include <lz4frame.h>
 #include <zstd.h>
 
@@ -87,6 +88,49 @@ private:
   std::unique_ptr<ZSTD_DStream, Free> stream_;
 };
 
+class Bz2Decoder {
+public:
+  explicit Bz2Decoder(const UnpackingFault& fail)
+  : fail_(fail)
+  , stream_(new bz_stream{})
+  {
+    constexpr int quiet = 0, uses_more_memory = 0;
+    if (BZ2_bzDecompressInit(stream_.get(), quiet, uses_more_memory) != BZ_OK)
+      throw std::bad_alloc();
+  }
+
+  bool
+  next(std::string_view& packed, char* to, std::size_t& count)
+  {
+    // its counts have 32 bits
+    const std::size_t offered = std::min(packed.size(), unpacking_step);
+    stream_->next_in = const_cast<char*>(packed.data());
+    stream_->avail_in = static_cast<unsigned>(offered);
+    stream_->next_out = to;
+    stream_->avail_out = static_cast<unsigned>(count);
+    const int state = BZ2_bzDecompress(stream_.get());
+    if (state == BZ_MEM_ERROR)
+      throw std::bad_alloc();
+    if (state != BZ_OK && state != BZ_STREAM_END)
+      fail_("bz2: is damaged");
+    packed.remove_prefix(offered - stream_->avail_in);
+    count -= stream_->avail_out;
+    return state == BZ_STREAM_END && packed.empty();
+  }
+
+private:
+  struct Free {
+    void
+    operator()(bz_stream* stream) const
+    {
+      BZ2_bzDecompressEnd(stream);
+      delete stream;
+    }
+  };
+  const UnpackingFault& fail_;
+  std::unique_ptr<bz_stream, Free> stream_;
+};
+
 template <typename Decoder>
 std::string
 unpackWith(Decoder decoder,
@@ -129,9 +173,11 @@ unpackChunk(std::string_view packing,
     return unpackWith(Lz4Decoder(fail), packed, bytes, fail);
   if (packing == "zstd")
     return unpackWith(ZstdDecoder(fail), packed, bytes, fail);
+  if (packing == "bz2")
+    return unpackWith(Bz2Decoder(fail), packed, bytes, fail);
   if (!packing.empty())
     fail("is packed with '" + std::string(packing.substr(0, 20)) +
-         "', lz4 and zstd are known");
+         "', lz4, zstd and bz2 are known");
   if (packed.size() != bytes)
     fail("has " + std::to_string(packed.size()) + " bytes, and claims " +
          std::to_string(bytes));

@@ -11,7 +11,7 @@ namespace pcl::acmap {
 using UnpackingFault = std::function<void(const std::string& fault)>;
 
 /** \brief Unpacks a chunk. Memory grows as bytes are unpacked, not by what is claimed.
- * \param[in] packing lz4 (frames), zstd, or empty
+ * \param[in] packing lz4 (frames), zstd, bz2, or empty
  * \param[in] bytes number of bytes that are expected
  * \param[in] fail is called, and has to throw, for another packing, damaged data, and
  * another number of bytes */

@@ -19,12 +19,17 @@ namespace acmap {
 
 namespace {
 
-/** \brief Reads a message that was serialized as CDR, where numbers are aligned. */
-class CdrCursor {
+/** \brief Reads a serialized message: numbers of CDR are aligned, those of ROS 1 are not. */
+class RosCursor {
 public:
-  CdrCursor(std::string_view bytes, const std::string& name)
+  RosCursor(std::string_view bytes,
+            const std::string& name,
+            RosSerialization serialization)
   : cursor_(bytes, name)
+  , is_cdr_(serialization == RosSerialization::Cdr)
   {
+    if (!is_cdr_)
+      return;
     constexpr std::uint16_t little_endian = 0x0100; // as two bytes in their order
     if (const auto kind = cursor_.number<std::uint16_t>(); kind != little_endian)
       cursor_.fail("is serialized in another way than little-endian CDR");
@@ -57,12 +62,12 @@ public:
     return cursor_.take(count());
   }
 
-  /** \brief Text, whose length counts its final zero. */
+  /** \brief Text; the length of CDR counts its final zero. */
   std::string
   text()
   {
     std::string_view characters = bytes();
-    if (!characters.empty() && characters.back() == '\0')
+    if (is_cdr_ && !characters.empty() && characters.back() == '\0')
       characters.remove_suffix(1);
     return std::string(characters);
   }
@@ -81,8 +86,11 @@ public:
   header()
   {
     RosHeader header;
-    const auto seconds = number<std::int32_t>();
-    header.stamp = seconds + 1e-9 * number<std::uint32_t>();
+    if (!is_cdr_)
+      number<std::uint32_t>(); // number of the message
+    header.stamp = is_cdr_ ? static_cast<double>(number<std::int32_t>())
+                           : static_cast<double>(number<std::uint32_t>());
+    header.stamp += 1e-9 * number<std::uint32_t>();
     header.frame = text();
     return header;
   }
@@ -105,6 +113,8 @@ private:
   void
   align(std::size_t size)
   {
+    if (!is_cdr_)
+      return;
     constexpr std::size_t encapsulation = 4; // alignment counts from its end
     const std::size_t over = (cursor_.place() - encapsulation) % size;
     if (over > 0)
@@ -112,6 +122,7 @@ private:
   }
 
   ByteCursor cursor_;
+  bool is_cdr_;
 };
 
 /** \brief Bytes of a pixel in raw images of known encodings, and where its colours are. */
@@ -171,6 +182,90 @@ forEachPixel(const RosImage& image, std::size_t bytes, const Use& use)
     for (std::uint32_t column = 0; column < image.width; ++column, pixel += bytes)
       use(pixel);
   }
+}
+
+template <typename Number>
+Number
+numberAt(const char* place, bool is_big_endian)
+{
+  std::array<char, sizeof(Number)> bytes;
+  std::copy_n(place, bytes.size(), bytes.begin());
+  if (is_big_endian)
+    std::reverse(bytes.begin(), bytes.end());
+  Number number;
+  std::memcpy(&number, bytes.data(), sizeof number);
+  return number;
+}
+
+/** \brief Where red and blue are in a square of two by two pixels of a Bayer pattern, as row
+ * times two plus column; green is on the other diagonal. */
+struct BayerPattern {
+  const char* name;
+  std::size_t red, blue;
+};
+
+constexpr std::array<BayerPattern, 4> bayer_patterns = {{{"bayer_rggb8", 0, 3},
+                                                         {"bayer_bggr8", 3, 0},
+                                                         {"bayer_gbrg8", 2, 1},
+                                                         {"bayer_grbg8", 1, 2}}};
+
+/** \brief Each pixel gets the colours of its square. */
+RgbImage
+colorsOfBayer(const RosImage& image,
+              const BayerPattern& pattern,
+              const std::string& name)
+{
+  requirePixels(image, 1, name);
+  if (image.width < 2 || image.height < 2)
+    refuseImage(name, "is too small for a Bayer pattern: " + sizeText(image));
+  RgbImage colors{static_cast<std::int32_t>(image.width),
+                  static_cast<std::int32_t>(image.height),
+                  {}};
+  colors.values.reserve(std::size_t{3} * image.width * image.height);
+  for (std::uint32_t row = 0; row < image.height; ++row)
+    for (std::uint32_t column = 0; column < image.width; ++column) {
+      // an odd last row or column belongs to the square before it
+      const std::size_t top = std::min(row, image.height - 2) / 2 * 2,
+                        left = std::min(column, image.width - 2) / 2 * 2;
+      const auto at = [&](std::size_t place) {
+        const std::size_t offset =
+            (top + place / 2) * image.row_bytes + left + place % 2;
+        return static_cast<std::uint8_t>(image.data[offset]);
+      };
+      const std::size_t green = pattern.red == 0 || pattern.red == 3 ? 1 : 0;
+      colors.values.push_back(at(pattern.red));
+      colors.values.push_back(
+          static_cast<std::uint8_t>((at(green) + at(3 - green) + 1) / 2));
+      colors.values.push_back(at(pattern.blue));
+    }
+  return colors;
+}
+
+/** \brief Colours of BT.601 in its limited range, two pixels in four bytes.
+ * \param[in] luma place of the first brightness: 0 for Y U Y V, 1 for U Y V Y */
+RgbImage
+colorsOfYuv422(const RosImage& image, std::size_t luma, const std::string& name)
+{
+  requirePixels(image, 2, name);
+  if (image.width % 2 != 0)
+    refuseImage(name, "has an odd width, which YUV 4:2:2 does not allow");
+  RgbImage colors{static_cast<std::int32_t>(image.width),
+                  static_cast<std::int32_t>(image.height),
+                  {}};
+  colors.values.reserve(std::size_t{3} * image.width * image.height);
+  std::size_t column = 0;
+  forEachPixel(image, 2, [&](const char* pixel) {
+    const char* const pair = pixel - 2 * (column++ % 2);
+    const auto value = [](char byte) {
+      return static_cast<double>(static_cast<std::uint8_t>(byte));
+    };
+    const double y = 1.164 * (value(pixel[luma]) - 16), u = value(pair[1 - luma]) - 128,
+                 v = value(pair[3 - luma]) - 128;
+    for (const double color : {y + 1.596 * v, y - 0.392 * u - 0.813 * v, y + 2.017 * u})
+      colors.values.push_back(
+          static_cast<std::uint8_t>(std::lround(std::clamp(color, 0.0, 255.0))));
+  });
+  return colors;
 }
 
 ImageBytes
@@ -239,7 +334,7 @@ decodedDepths(const RosImage& image, const std::string& name)
 
 /** \brief The pose of a frame in a frame, both by name, of a transform or an odometry. */
 RosTransform
-transformOf(CdrCursor& cursor)
+transformOf(RosCursor& cursor)
 {
   RosTransform transform;
   transform.header = cursor.header();
@@ -252,7 +347,7 @@ transformOf(CdrCursor& cursor)
 std::vector<SourceField>
 fieldsOfRecord(std::vector<PCLPointField> fields,
                std::uint32_t point_step,
-               const CdrCursor& cursor)
+               const RosCursor& cursor)
 {
   std::stable_sort(fields.begin(), fields.end(), [](const auto& a, const auto& b) {
     return a.offset < b.offset;
@@ -296,15 +391,19 @@ RosImage::isDepth() const
 }
 
 RosHeader
-readRosHeader(std::string_view bytes, const std::string& name)
+readRosHeader(std::string_view bytes,
+              const std::string& name,
+              RosSerialization serialization)
 {
-  return acmap::CdrCursor(bytes, name).header();
+  return acmap::RosCursor(bytes, name, serialization).header();
 }
 
 RosImage
-readRosImage(std::string_view bytes, const std::string& name)
+readRosImage(std::string_view bytes,
+             const std::string& name,
+             RosSerialization serialization)
 {
-  acmap::CdrCursor cursor(bytes, name);
+  acmap::RosCursor cursor(bytes, name, serialization);
   RosImage image;
   image.header = cursor.header();
   image.height = cursor.count();
@@ -317,9 +416,11 @@ readRosImage(std::string_view bytes, const std::string& name)
 }
 
 RosImage
-readRosCompressedImage(std::string_view bytes, const std::string& name)
+readRosCompressedImage(std::string_view bytes,
+                       const std::string& name,
+                       RosSerialization serialization)
 {
-  acmap::CdrCursor cursor(bytes, name);
+  acmap::RosCursor cursor(bytes, name, serialization);
   RosImage image;
   image.is_compressed = true;
   image.header = cursor.header();
@@ -329,9 +430,11 @@ readRosCompressedImage(std::string_view bytes, const std::string& name)
 }
 
 RosCameraInfo
-readRosCameraInfo(std::string_view bytes, const std::string& name)
+readRosCameraInfo(std::string_view bytes,
+                  const std::string& name,
+                  RosSerialization serialization)
 {
-  acmap::CdrCursor cursor(bytes, name);
+  acmap::RosCursor cursor(bytes, name, serialization);
   RosCameraInfo info;
   info.header = cursor.header();
   info.height = cursor.count();
@@ -347,9 +450,11 @@ readRosCameraInfo(std::string_view bytes, const std::string& name)
 }
 
 RosCloud
-readRosCloud(std::string_view bytes, const std::string& name)
+readRosCloud(std::string_view bytes,
+             const std::string& name,
+             RosSerialization serialization)
 {
-  acmap::CdrCursor cursor(bytes, name);
+  acmap::RosCursor cursor(bytes, name, serialization);
   RosCloud read;
   read.header = cursor.header();
   const std::uint64_t height = cursor.count(), width = cursor.count();
@@ -394,10 +499,34 @@ readRosCloud(std::string_view bytes, const std::string& name)
   return read;
 }
 
-std::vector<RosTransform>
-readRosTransforms(std::string_view bytes, const std::string& name)
+RosScan
+readRosScan(std::string_view bytes,
+            const std::string& name,
+            RosSerialization serialization)
 {
-  acmap::CdrCursor cursor(bytes, name);
+  acmap::RosCursor cursor(bytes, name, serialization);
+  RosScan scan;
+  scan.header = cursor.header();
+  scan.first_angle = cursor.number<float>();
+  cursor.number<float>(); // the last angle
+  scan.angle_step = cursor.number<float>();
+  cursor.number<float>(); // time between beams
+  cursor.number<float>(); // time between scans
+  scan.min_range = cursor.number<float>();
+  scan.max_range = cursor.number<float>();
+  for (std::uint32_t left = cursor.count(); left > 0; --left)
+    scan.ranges.push_back(cursor.number<float>());
+  if (!std::isfinite(scan.first_angle) || !std::isfinite(scan.angle_step))
+    cursor.fail("has beams whose angles are not finite");
+  return scan;
+}
+
+std::vector<RosTransform>
+readRosTransforms(std::string_view bytes,
+                  const std::string& name,
+                  RosSerialization serialization)
+{
+  acmap::RosCursor cursor(bytes, name, serialization);
   std::vector<RosTransform> transforms;
   for (std::uint32_t left = cursor.count(); left > 0; --left)
     transforms.push_back(acmap::transformOf(cursor));
@@ -405,20 +534,40 @@ readRosTransforms(std::string_view bytes, const std::string& name)
 }
 
 RosTransform
-readRosOdometry(std::string_view bytes, const std::string& name)
+readRosOdometry(std::string_view bytes,
+                const std::string& name,
+                RosSerialization serialization)
 {
-  acmap::CdrCursor cursor(bytes, name);
+  acmap::RosCursor cursor(bytes, name, serialization);
   return acmap::transformOf(cursor);
 }
 
 RosTransform
-readRosPose(std::string_view bytes, const std::string& name)
+readRosPose(std::string_view bytes,
+            const std::string& name,
+            RosSerialization serialization)
 {
-  acmap::CdrCursor cursor(bytes, name);
+  acmap::RosCursor cursor(bytes, name, serialization);
   RosTransform transform;
   transform.header = cursor.header();
   transform.T_parent_child = cursor.pose();
   return transform;
+}
+
+Eigen::Isometry3d
+readRosBareTransform(std::string_view bytes,
+                     const std::string& name,
+                     RosSerialization serialization)
+{
+  return acmap::RosCursor(bytes, name, serialization).pose();
+}
+
+double
+readRosNumber(std::string_view bytes,
+              const std::string& name,
+              RosSerialization serialization)
+{
+  return acmap::RosCursor(bytes, name, serialization).number<float>();
 }
 
 RgbImage
@@ -440,9 +589,17 @@ colorsOf(const RosImage& image, const std::string& name)
     });
     return colors;
   }
-  acmap::refuseImage(name,
-                     "has colours as '" + image.encoding.substr(0, 50) +
-                         "'; rgb8, bgr8, rgba8, bgra8 and mono8 are read");
+  for (const acmap::BayerPattern& pattern : acmap::bayer_patterns)
+    if (image.encoding == pattern.name)
+      return acmap::colorsOfBayer(image, pattern, name);
+  if (image.encoding == "yuv422" || image.encoding == "uyvy")
+    return acmap::colorsOfYuv422(image, 1, name);
+  if (image.encoding == "yuv422_yuy2" || image.encoding == "yuyv")
+    return acmap::colorsOfYuv422(image, 0, name);
+  acmap::refuseImage(
+      name,
+      "has colours as '" + image.encoding.substr(0, 50) +
+          "'; rgb8, bgr8, rgba8, bgra8, mono8, bayer_*8 and yuv422 are read");
 }
 
 DepthImage
@@ -455,22 +612,15 @@ depthsOf(const RosImage& image, const std::string& name)
     acmap::refuseImage(name,
                        "has depths as '" + image.encoding.substr(0, 50) +
                            "'; 16UC1 and 32FC1 are read");
-  if (image.is_big_endian)
-    acmap::refuseImage(name, "has big-endian depths, little-endian ones are read");
   acmap::requirePixels(image, is_float ? 4 : 2, name);
   DepthImage depths{static_cast<std::int32_t>(image.width),
                     static_cast<std::int32_t>(image.height),
                     {}};
   depths.metres.reserve(std::size_t{image.width} * image.height);
   acmap::forEachPixel(image, is_float ? 4 : 2, [&](const char* pixel) {
-    float metres = 0;
-    std::uint16_t number = 0;
-    if (is_float)
-      std::memcpy(&metres, pixel, sizeof metres);
-    else
-      std::memcpy(&number, pixel, sizeof number);
-    if (!is_float)
-      metres = 0.001F * number;
+    const float metres =
+        is_float ? acmap::numberAt<float>(pixel, image.is_big_endian)
+                 : 0.001F * acmap::numberAt<std::uint16_t>(pixel, image.is_big_endian);
     depths.metres.push_back(metres > 0 && std::isfinite(metres) ? metres : 0.0F);
   });
   return depths;

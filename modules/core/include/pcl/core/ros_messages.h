@@ -15,6 +15,10 @@
 
 namespace pcl {
 
+/** \brief How a message is serialized: as ROS 2 does by default, or as ROS 1 does.
+ * \ingroup core */
+enum class RosSerialization { Cdr, Ros1 };
+
 /** \brief Time and frame of a message of ROS. \ingroup core */
 struct RosHeader {
   double stamp = 0; ///< seconds
@@ -65,40 +69,83 @@ struct RosTransform {
   Eigen::Isometry3d T_parent_child = Eigen::Isometry3d::Identity(); ///< metres
 };
 
-/** \name Readers of serialized messages (CDR, little endian)
+/** \brief sensor_msgs/msg/LaserScan: ranges in a plane, counter-clockwise about the z axis
+ * of its frame, from its x axis. \ingroup core */
+struct RosScan {
+  RosHeader header;
+  double first_angle = 0, angle_step = 0; ///< radians, finite
+  double min_range = 0, max_range = 0;    ///< metres; other ranges are no echoes
+  std::vector<float> ranges;              ///< metres
+};
+
+/** \name Readers of serialized messages, little endian
  * \param[in] bytes of the message
  * \param[in] name of the bag and the topic, for error messages
+ * \param[in] serialization of the message
  * \throws InputFileException naming the fault: another serialization, truncated, a length
  * beyond the end, numbers that are not finite where they must be \ingroup core */
 ///@{
 /** \brief The header with which most messages begin. */
 ACMAP_EXPORT RosHeader
-readRosHeader(std::string_view bytes, const std::string& name);
+readRosHeader(std::string_view bytes,
+              const std::string& name,
+              RosSerialization serialization = RosSerialization::Cdr);
 
 ACMAP_EXPORT RosImage
-readRosImage(std::string_view bytes, const std::string& name);
+readRosImage(std::string_view bytes,
+             const std::string& name,
+             RosSerialization serialization = RosSerialization::Cdr);
 
 ACMAP_EXPORT RosImage
-readRosCompressedImage(std::string_view bytes, const std::string& name);
+readRosCompressedImage(std::string_view bytes,
+                       const std::string& name,
+                       RosSerialization serialization = RosSerialization::Cdr);
 
 ACMAP_EXPORT RosCameraInfo
-readRosCameraInfo(std::string_view bytes, const std::string& name);
+readRosCameraInfo(std::string_view bytes,
+                  const std::string& name,
+                  RosSerialization serialization = RosSerialization::Cdr);
 
 ACMAP_EXPORT RosCloud
-readRosCloud(std::string_view bytes, const std::string& name);
+readRosCloud(std::string_view bytes,
+             const std::string& name,
+             RosSerialization serialization = RosSerialization::Cdr);
+
+ACMAP_EXPORT RosScan
+readRosScan(std::string_view bytes,
+            const std::string& name,
+            RosSerialization serialization = RosSerialization::Cdr);
 
 ACMAP_EXPORT std::vector<RosTransform>
-readRosTransforms(std::string_view bytes, const std::string& name);
+readRosTransforms(std::string_view bytes,
+                  const std::string& name,
+                  RosSerialization serialization = RosSerialization::Cdr);
 
 ACMAP_EXPORT RosTransform
-readRosOdometry(std::string_view bytes, const std::string& name);
+readRosOdometry(std::string_view bytes,
+                const std::string& name,
+                RosSerialization serialization = RosSerialization::Cdr);
 
 ACMAP_EXPORT RosTransform
-readRosPose(std::string_view bytes, const std::string& name);
+readRosPose(std::string_view bytes,
+            const std::string& name,
+            RosSerialization serialization = RosSerialization::Cdr);
+
+/** \brief geometry_msgs/msg/Transform, without frames. */
+ACMAP_EXPORT Eigen::Isometry3d
+readRosBareTransform(std::string_view bytes,
+                     const std::string& name,
+                     RosSerialization serialization = RosSerialization::Cdr);
+
+/** \brief std_msgs/msg/Float32. */
+ACMAP_EXPORT double
+readRosNumber(std::string_view bytes,
+              const std::string& name,
+              RosSerialization serialization = RosSerialization::Cdr);
 ///@}
 
-/** \brief The colours of an image: rgb8, bgr8, rgba8, bgra8, mono8, 8UC1, 8UC3 or 8UC4, or a
- * compressed JPEG or PNG.
+/** \brief The colours of an image: rgb8, bgr8, rgba8, bgra8, mono8, 8UC1, 8UC3 or 8UC4, a Bayer
+ * pattern of 8 bits, yuv422 or yuv422_yuy2, or a compressed JPEG or PNG.
  * \throws InputFileException for another encoding, or a damaged image \ingroup core */
 ACMAP_EXPORT RgbImage
 colorsOf(const RosImage& image, const std::string& name);
