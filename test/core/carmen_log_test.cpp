@@ -301,10 +301,105 @@ TEST(CarmenLog, IsReadAsItWasWritten)
   }
   EXPECT_THAT(contentOf(path), HasSubstr(" 2 -1 -3 ")) << "the odometry";
   EXPECT_THROW(saveCarmenLog(path, log.scans, {PlanarPose()}), BadArgumentException);
+  PlanarScan still = log.scans[0];
+  still.angle_step = 0;
+  EXPECT_THROW(saveCarmenLog(path, {still}), BadArgumentException);
   PlanarScan turned = log.scans[0];
-  turned.first_angle = 0;
-  EXPECT_THROW(saveCarmenLog(path, {turned}), BadArgumentException);
+  turned.first_angle = -0.75;
+  turned.angle_step = 0.25;
+  saveCarmenLog(path, {turned}, {PlanarPose{1, 2, 3}});
+  EXPECT_THAT(contentOf(path), HasSubstr("ROBOTLASER1 0 0.75 44.75 -0.25 "));
+  const CarmenLog again = loadCarmenLog(path);
+  ASSERT_EQ(again.scans.size(), 1U);
+  EXPECT_EQ(again.scans[0].first_angle, turned.first_angle);
+  EXPECT_EQ(again.scans[0].angle_step, turned.angle_step);
+  EXPECT_EQ(again.scans[0].ranges, turned.ranges);
+  EXPECT_EQ(again.scans[0].pose.x, turned.pose.x);
+  EXPECT_EQ(again.scans[0].stamp, turned.stamp);
   EXPECT_THROW(saveCarmenLog(folder.path("none/log"), log.scans), OutputFileException);
+}
+
+/** A scan of n beams of 2 m. */
+std::string
+beamsOf(std::size_t n)
+{
+  return message(std::vector<float>(n, 2.0F), 0, 0, 0, 0);
+}
+
+TEST(CarmenLog, TheSweepMayBeStated)
+{
+  const CarmenLog assumed = logOf(beamsOf(361));
+  EXPECT_EQ(assumed.sweep, pi);
+  EXPECT_FALSE(assumed.is_sweep_stated);
+  EXPECT_TRUE(assumed.remarks.empty());
+  for (const char* value : {"270.0", "4.71238898038469"}) {
+    const CarmenLog log = logOf("PARAM laser_front_laser_fov " + std::string(value) +
+                                " 0 host 0\n" + beamsOf(541));
+    EXPECT_NEAR(log.scans[0].first_angle, 0.75 * pi, 1e-12) << value;
+    EXPECT_NEAR(log.scans[0].angle_step, -pi / 360, 1e-12);
+    EXPECT_TRUE(log.is_sweep_stated);
+    EXPECT_TRUE(log.remarks.empty());
+  }
+  EXPECT_THAT(
+      logOf("PARAM laser_front_laser_fov 270 0 host 0\n" + beamsOf(361)).remarks,
+      testing::ElementsAre(HasSubstr("361 beams in 270 degrees are 0.75")));
+  EXPECT_THAT(logOf(beamsOf(150)).remarks, testing::SizeIs(1));
+  EXPECT_THAT(
+      faultOf(beamsOf(541)),
+      testing::AllOf(HasSubstr("sweep 270 degrees"), HasSubstr("--laser-fov 270")));
+  const TemporaryFolder folder;
+  const std::string path = folder.write("log", beamsOf(541));
+  EXPECT_NEAR(loadCarmenLog(path, pi).scans[0].angle_step, -pi / 540, 1e-12);
+  EXPECT_THROW(loadCarmenLog(path, 0.0), BadArgumentException);
+  EXPECT_THROW(loadCarmenLog(path, 7.0), BadArgumentException);
+}
+
+constexpr const char* robot_scan = "ROBOTLASER1 0 -1.5 3 0.5 30 0.01 0 3 1 2 80 1 7 4 "
+                                   "5 0.25 8 9 10 0 0 0 0 0 12.5 host "
+                                   "0.5\n";
+
+TEST(CarmenLog, RobotLaserMessagesHaveTheirAngles)
+{
+  const CarmenLog log = logOf(robot_scan);
+  ASSERT_EQ(log.scans.size(), 1U);
+  const PlanarScan& scan = log.scans[0];
+  EXPECT_EQ(scan.ranges, (std::vector<float>{1, 2, 80}));
+  EXPECT_EQ(scan.first_angle, 1.5);
+  EXPECT_EQ(scan.angle_step, -0.5);
+  EXPECT_EQ(scan.pose.x, -5);
+  EXPECT_EQ(scan.pose.z, 4);
+  EXPECT_EQ(scan.pose.theta, -0.25);
+  EXPECT_EQ(scan.stamp, 12.5);
+  EXPECT_GT(scan.maximum_range, 2);
+  EXPECT_LE(scan.maximum_range, 30);
+  EXPECT_EQ(log.sweep, 0);
+  // beside FLASER they are the same scans again
+  const CarmenLog both = logOf(robot_scan + beamsOf(180) + robot_scan);
+  EXPECT_EQ(both.scans.size(), 1U);
+  EXPECT_EQ(both.other_messages, 2U);
+  const std::string line = robot_scan;
+  const std::size_t end = line.find(" host");
+  for (std::size_t length = line.rfind(' ', end - 1); length > 15;
+       length = line.rfind(' ', length - 1))
+    EXPECT_FALSE(faultOf(line.substr(0, length)).empty()) << length;
+  EXPECT_THAT(
+      faultOf("ROBOTLASER1 0 -1.5 0 0 30 0 0 2 1 2 0 0 0 0 0 0 0 0 0 0 0 0 1\n"),
+      HasSubstr("have no angles"));
+}
+
+TEST(CarmenLog, ARobotLaserLogOfOthers)
+{
+  const std::string name = "H_field/recordings/robotlaser1.log.gz";
+  if (!hasTestData(name))
+    GTEST_SKIP() << name << " is not in the folder that ACMAP_TEST_DATA names";
+  const CarmenLog log = loadCarmenLog(testDataPath(name).string());
+  EXPECT_EQ(log.scans.size(), 686U);
+  for (const PlanarScan& scan : log.scans) {
+    EXPECT_EQ(scan.ranges.size(), 361U);
+    EXPECT_EQ(scan.first_angle, 1.570796);
+    EXPECT_EQ(scan.angle_step, -0.008727);
+    EXPECT_LE(scan.maximum_range, 80);
+  }
 }
 
 struct RealLog {

@@ -5,6 +5,7 @@
 #include "files/carmen_reader.h"
 #include "files/text_number.h"
 
+#include <pcl/core/impl/arguments.h>
 #include <pcl/core/output_file.h>
 
 #include <zlib.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <locale>
 #include <new>
@@ -148,13 +150,20 @@ nextNumber(Words& words, std::uint64_t beams, const ByteSource& source)
   return value;
 }
 
+constexpr double default_sweep = pi; // radians
+
 // From right to left; an even number of beams excludes the last direction.
-void
-setSweep(PlanarScan& scan)
+double
+stepOf(std::size_t beams, double sweep)
 {
-  const std::size_t beams = scan.ranges.size();
-  scan.first_angle = pi / 2;
-  scan.angle_step = -pi / static_cast<double>(beams % 2 == 1 ? beams - 1 : beams);
+  return sweep / static_cast<double>(beams % 2 == 1 ? beams - 1 : beams);
+}
+
+void
+setSweep(PlanarScan& scan, double sweep)
+{
+  scan.first_angle = sweep / 2;
+  scan.angle_step = -stepOf(scan.ranges.size(), sweep);
 }
 
 std::uint64_t
@@ -167,79 +176,184 @@ readBeams(Words& words, const ByteSource& source)
   return beams;
 }
 
-// Reads the rest of a line after FLASER. The number of beams is not trusted: memory is
-// only allocated for numbers that exist.
+// The number of beams is not trusted: memory is only allocated for numbers that exist.
+PlanarScan
+readRanges(Words& words, std::uint64_t beams, const ByteSource& source)
+{
+  PlanarScan scan;
+  scan.maximum_range = std::numeric_limits<float>::infinity();
+  for (std::uint64_t i = 0; i < beams; ++i)
+    scan.ranges.push_back(nextNumber<float>(words, beams, source));
+  return scan;
+}
+
+// Sets the pose of the laser x y theta, and the stamp.
+void
+setPose(PlanarScan& scan,
+        double x,
+        double y,
+        double theta,
+        double stamp,
+        const ByteSource& source)
+{
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(theta))
+    source.failAtLine("its pose is not finite");
+  if (!std::isfinite(stamp))
+    source.failAtLine("its stamp is not finite");
+  scan.pose = {0.0 - y, x, 0.0 - theta}; // 0 - 0 avoids -0
+  scan.stamp = stamp;
+}
+
+// Reads the rest of a line after FLASER, but not the sweep.
 PlanarScan
 readScan(Words& words, const ByteSource& source)
 {
   const std::uint64_t beams = readBeams(words, source);
-  PlanarScan scan;
-  for (std::uint64_t i = 0; i < beams; ++i)
-    scan.ranges.push_back(nextNumber<float>(words, beams, source));
+  PlanarScan scan = readRanges(words, beams, source);
   // x y theta of the laser, the same of the odometry, stamp
   std::array<double, 7> tail{};
   for (double& value : tail)
     value = nextNumber<double>(words, beams, source);
-  if (!std::isfinite(tail[0]) || !std::isfinite(tail[1]) || !std::isfinite(tail[2]))
-    source.failAtLine("its pose is not finite");
-  if (!std::isfinite(tail[6]))
-    source.failAtLine("its stamp is not finite");
-  scan.pose = {0.0 - tail[1], tail[0], 0.0 - tail[2]}; // 0 - 0 avoids -0
-  scan.stamp = tail[6];
-  setSweep(scan);
+  setPose(scan, tail[0], tail[1], tail[2], tail[6], source);
   return scan;
 }
 
-std::size_t
-countBetween(const std::vector<float>& readings, double minimum, double below)
+// Reads the rest of a line after ROBOTLASER1.
+PlanarScan
+readRobotScan(Words& words, const ByteSource& source)
 {
-  return static_cast<std::size_t>(
-      std::count_if(readings.begin(), readings.end(), [=](float reading) {
-        return reading >= minimum && reading < below;
-      }));
+  // type, first angle, sweep, step, maximum range, accuracy, kind of remissions
+  std::array<double, 7> head{};
+  for (double& value : head)
+    value = nextNumber<double>(words, 0, source);
+  const std::uint64_t beams = readBeams(words, source);
+  PlanarScan scan = readRanges(words, beams, source);
+  std::uint64_t remissions = 0;
+  if (!acmap::parseCount(nextWord(words, beams, source), remissions))
+    source.failAtLine("its number of remissions is no number");
+  for (std::uint64_t i = 0; i < remissions; ++i)
+    nextWord(words, beams, source);
+  // x y theta of the laser, the same of the robot, its two speeds, three lengths, stamp
+  std::array<double, 12> tail{};
+  for (double& value : tail)
+    value = nextNumber<double>(words, beams, source);
+  setPose(scan, tail[0], tail[1], tail[2], tail[11], source);
+  const double step =
+      head[3] != 0 ? head[3] : head[2] / (static_cast<double>(beams) - 1);
+  if (!std::isfinite(head[1]) || !std::isfinite(step) || step == 0)
+    source.failAtLine("its beams have no angles");
+  scan.first_angle = 0.0 - head[1];
+  scan.angle_step = 0.0 - step;
+  if (head[4] > 0)
+    scan.maximum_range = static_cast<float>(head[4]);
+  return scan;
 }
 
-/** \brief Finds the reading above which readings are not distances. Lasers report a
- * missing echo by a large value or a few similar ones (SICK: 81.83, 81.87, 81.91 m, or
- * 32.759 to 32.767 m if they count millimetres), so that many beams have the same
- * reading, and hardly any beams a slightly smaller one.
- * \param[in] readings metres, finite, positive; reordered */
-float
-rangeWithoutEcho(std::vector<float>& readings)
+// The sweep that a parameter of a log states, in degrees or radians.
+std::optional<double>
+sweepOfParameter(Words& words)
 {
-  constexpr double width = 0.01; // relative to the reading
-  // over the number of slightly smaller readings
-  constexpr std::size_t clear_excess = 10;
-  constexpr std::size_t beams_to_a_wild_one = 10000;
-  if (readings.empty())
-    return 0.0F;
-  const auto top = readings.end() - 1 - readings.size() / beams_to_a_wild_one;
-  std::nth_element(readings.begin(), top, readings.end());
-  const double reading = *top;
-  const double minimum = (1.0 - width) * reading;
-  const std::size_t here =
-      countBetween(readings, minimum, std::numeric_limits<double>::infinity());
-  const std::size_t less =
-      countBetween(readings, (1.0 - 2.0 * width) * reading, minimum);
-  if (here > clear_excess * (less + 1))
-    return static_cast<float>(minimum);
-  return std::nextafter(*std::max_element(top, readings.end()),
-                        std::numeric_limits<float>::infinity());
+  std::string_view name, word;
+  double value = 0;
+  if (!words.next(name) || name != "laser_front_laser_fov" || !words.next(word) ||
+      !acmap::parseNumber(word, value) || !(value > 0 && value <= 360))
+    return {};
+  return value > 2 * pi ? value * pi / 180 : value;
 }
 
-void
-setMaximumRange(std::vector<PlanarScan>& scans)
+std::string
+degreesText(double radians)
 {
-  std::vector<float> readings;
-  for (const PlanarScan& scan : scans)
-    std::copy_if(scan.ranges.begin(),
-                 scan.ranges.end(),
-                 std::back_inserter(readings),
-                 [](float range) { return std::isfinite(range) && range > 0.0F; });
-  const float maximum = rangeWithoutEcho(readings);
-  for (PlanarScan& scan : scans)
-    scan.maximum_range = maximum;
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(3);
+  text << radians * 180 / pi;
+  return text.str();
 }
+
+bool
+isStepOf(double step, const std::initializer_list<double>& degrees)
+{
+  return std::any_of(degrees.begin(), degrees.end(), [&](double known) {
+    return std::abs(step * 180 / pi - known) < 0.01 * known;
+  });
+}
+
+// The sweep of common lasers that have another one than the default, by their number of
+// beams; degrees, 0: none
+int
+otherSweepOf(std::size_t beams)
+{
+  struct Laser {
+    std::size_t beams;
+    int sweep;
+  };
+  constexpr std::array<Laser, 10> lasers = {{{271, 270},
+                                             {541, 270},
+                                             {811, 270},
+                                             {1081, 270},
+                                             {682, 240},
+                                             {683, 240},
+                                             {726, 240},
+                                             {101, 100},
+                                             {201, 100},
+                                             {401, 100}}};
+  for (const Laser& laser : lasers)
+    if (laser.beams == beams)
+      return laser.sweep;
+  return 0;
+}
+
+// Sets the beams of FLASER messages, and tells what is odd of them.
+class Sweeps {
+public:
+  explicit Sweeps(std::optional<double> stated)
+  : stated_(stated)
+  , is_given_(stated.has_value())
+  {}
+
+  void
+  takeParameter(Words& words)
+  {
+    if (const auto sweep = sweepOfParameter(words); sweep && !is_given_)
+      stated_ = sweep;
+  }
+
+  void
+  set(PlanarScan& scan, CarmenLog& log, const ByteSource& source)
+  {
+    const std::size_t beams = scan.ranges.size();
+    const int other = otherSweepOf(beams);
+    if (!stated_ && other > 0)
+      source.failAtLine(std::to_string(beams) +
+                        " beams are those of lasers that sweep " +
+                        std::to_string(other) +
+                        " degrees, not 180, and no PARAM laser_front_laser_fov states "
+                        "it: --laser-fov " +
+                        std::to_string(other) + " or --laser-fov 180 does");
+    log.sweep = stated_.value_or(default_sweep);
+    log.is_sweep_stated = stated_.has_value();
+    setSweep(scan, log.sweep);
+    if (beams == told_beams_)
+      return;
+    told_beams_ = beams;
+    const double step = -scan.angle_step;
+    const bool is_usual =
+        isStepOf(step, {1, 0.5, 0.25}) ||
+        (stated_ && isStepOf(step, {2, 1.0 / 3, 1.0 / 6, 0.36, 360.0 / 1024, 0.125}));
+    if (!is_usual && log.remarks.empty())
+      log.remarks.push_back(source.name() + ": " + std::to_string(beams) +
+                            " beams in " + degreesText(log.sweep) + " degrees are " +
+                            degreesText(step) +
+                            " degrees apart, as of no common laser; --laser-fov states "
+                            "another sweep");
+  }
+
+private:
+  std::optional<double> stated_;
+  bool is_given_;
+  std::size_t told_beams_ = 0;
+};
 
 /** x y theta of a log: x forward, y left, theta counter-clockwise. */
 void
@@ -248,22 +362,45 @@ writePose(const PlanarPose& pose, std::ostream& text)
   text << ' ' << pose.z << ' ' << 0.0 - pose.x << ' ' << 0.0 - pose.theta;
 }
 
+/** What precedes the number of beams in a ROBOTLASER1 message. */
+void
+writeRobotHead(const PlanarScan& scan, std::ostream& text)
+{
+  const double sweep =
+      std::abs(scan.angle_step) * static_cast<double>(scan.ranges.size() - 1);
+  const float range = std::isfinite(scan.maximum_range) ? scan.maximum_range : 0;
+  text << "ROBOTLASER1 0 " << 0.0 - scan.first_angle << ' ' << sweep << ' '
+       << 0.0 - scan.angle_step << ' ' << range << " 0 0 ";
+}
+
 void
 writeScan(const PlanarScan& scan, const PlanarPose& odometry, std::ostream& text)
 {
-  PlanarScan as_read = scan;
-  setSweep(as_read);
-  if (scan.ranges.size() < 2 || as_read.first_angle != scan.first_angle ||
-      as_read.angle_step != scan.angle_step)
-    throw acmap::BadArgument("the beams of a scan do not sweep 180 degrees from right "
-                             "to left, as those of a CARMEN log do");
-  text << "FLASER " << scan.ranges.size();
+  const std::size_t beams = scan.ranges.size();
+  if (beams < 2 || !std::isfinite(scan.first_angle) ||
+      !std::isfinite(scan.angle_step) || scan.angle_step == 0)
+    throw acmap::BadArgument(
+        "a scan of a CARMEN log has two beams or more, whose angles "
+        "are finite and differ");
+  const bool is_robot_scan = otherSweepOf(beams) > 0 ||
+                             scan.first_angle != default_sweep / 2 ||
+                             scan.angle_step != -stepOf(beams, default_sweep);
+  text.precision(std::numeric_limits<double>::max_digits10);
+  if (is_robot_scan)
+    writeRobotHead(scan, text);
+  else
+    text << "FLASER ";
+  text << beams;
   text.precision(std::numeric_limits<float>::max_digits10);
   for (const float range : scan.ranges)
     text << ' ' << range;
   text.precision(std::numeric_limits<double>::max_digits10);
+  if (is_robot_scan)
+    text << " 0"; // no remissions
   writePose(scan.pose, text);
   writePose(odometry, text);
+  if (is_robot_scan)
+    text << " 0 0 0 0 0"; // speeds and lengths of the robot
   text << ' ' << scan.stamp << " acmap " << scan.stamp << '\n';
 }
 
@@ -290,35 +427,50 @@ saveCarmenLog(const std::string& path,
 }
 
 CarmenLog
-acmap::readCarmenLog(ByteSource& source)
+acmap::readCarmenLog(ByteSource& source, std::optional<double> sweep)
 {
   CarmenLog log;
+  Sweeps sweeps(sweep);
+  std::vector<PlanarScan> robot_scans;
   for (std::string_view line; source.readLine(line);) {
     Words words(line);
     std::string_view kind;
     if (!words.next(kind) || kind.front() == '#')
       continue;
-    if (kind == "FLASER")
+    if (kind == "FLASER") {
       log.scans.push_back(readScan(words, source));
+      sweeps.set(log.scans.back(), log, source);
+      continue;
+    }
+    if (kind == "PARAM")
+      sweeps.takeParameter(words);
+    if (kind == "ROBOTLASER1" && log.scans.empty())
+      robot_scans.push_back(readRobotScan(words, source));
     else
       ++log.other_messages;
   }
   if (log.scans.empty())
-    source.fail("has no FLASER message");
-  setMaximumRange(log.scans);
+    log.scans = std::move(robot_scans); // otherwise they are the same scans again
+  else
+    log.other_messages += robot_scans.size();
+  if (log.scans.empty())
+    source.fail("has no FLASER message and no ROBOTLASER1 message");
+  excludeMissingEchoes(log.scans);
   return log;
 }
 
 CarmenLog
-loadCarmenLog(const std::string& path)
+loadCarmenLog(const std::string& path, std::optional<double> sweep)
 {
+  if (sweep && !(*sweep > 0 && *sweep <= 2 * pi))
+    acmap::refuseArgument("sweep", *sweep, "within (0, 2 pi] radians");
   const bool packed = acmap::isGzip(path);
   ByteSource file(path);
   if (!packed)
-    return acmap::readCarmenLog(file);
+    return acmap::readCarmenLog(file, sweep);
   const std::string text = acmap::unpackGzip(file);
   ByteSource unpacked(path, text.data(), text.size());
-  return acmap::readCarmenLog(unpacked);
+  return acmap::readCarmenLog(unpacked, sweep);
 }
 
 } // namespace pcl

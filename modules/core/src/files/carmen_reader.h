@@ -2,6 +2,7 @@
 
 #include <pcl/core/carmen_log.h>
 
+#include <optional>
 #include <string>
 
 namespace pcl::acmap {
@@ -11,7 +12,7 @@ class ByteSource;
 /** \brief Implementation of \ref loadCarmenLog for an uncompressed log.
  * \throws InputFileException naming line and fault */
 CarmenLog
-readCarmenLog(ByteSource& source);
+readCarmenLog(ByteSource& source, std::optional<double> sweep = {});
 
 /** \brief Returns true if the first bytes of a file are those of a gzip file.
  * \throws InputFileException when it is missing, unreadable, empty or not a regular

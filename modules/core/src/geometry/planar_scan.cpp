@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 
 namespace pcl {
@@ -78,7 +79,61 @@ normalAt(const std::vector<Echo>& echoes, std::size_t at, double step)
   return normal.dot(echoes[at].place) > 0 ? -normal : normal;
 }
 
+std::size_t
+countBetween(const std::vector<float>& readings, double minimum, double below)
+{
+  return static_cast<std::size_t>(
+      std::count_if(readings.begin(), readings.end(), [=](float reading) {
+        return reading >= minimum && reading < below;
+      }));
+}
+
+/** \brief Finds the reading above which readings are not distances. Lasers report a
+ * missing echo by a large value or a few similar ones (SICK: 81.83, 81.87, 81.91 m, or
+ * 32.759 to 32.767 m if they count millimetres), so that many beams have the same
+ * reading, and hardly any beams a slightly smaller one.
+ * \param[in] readings metres, finite, positive; reordered */
+float
+rangeWithoutEcho(std::vector<float>& readings)
+{
+  constexpr double width = 0.01; // relative to the reading
+  // over the number of slightly smaller readings
+  constexpr std::size_t clear_excess = 10;
+  constexpr std::size_t beams_to_a_wild_one = 10000;
+  if (readings.empty())
+    return 0.0F;
+  const auto top = readings.end() - 1 - readings.size() / beams_to_a_wild_one;
+  std::nth_element(readings.begin(), top, readings.end());
+  const double reading = *top;
+  const double minimum = (1.0 - width) * reading;
+  const std::size_t here =
+      countBetween(readings, minimum, std::numeric_limits<double>::infinity());
+  const std::size_t less =
+      countBetween(readings, (1.0 - 2.0 * width) * reading, minimum);
+  if (here > clear_excess * (less + 1))
+    return static_cast<float>(minimum);
+  return std::nextafter(*std::max_element(top, readings.end()),
+                        std::numeric_limits<float>::infinity());
+}
+
 } // namespace
+
+void
+excludeMissingEchoes(std::vector<PlanarScan>& scans)
+{
+  std::vector<float> readings;
+  for (const PlanarScan& scan : scans)
+    std::copy_if(scan.ranges.begin(),
+                 scan.ranges.end(),
+                 std::back_inserter(readings),
+                 [&](float range) {
+                   return std::isfinite(range) && range > 0.0F &&
+                          range < scan.maximum_range;
+                 });
+  const float maximum = rangeWithoutEcho(readings);
+  for (PlanarScan& scan : scans)
+    scan.maximum_range = std::min(scan.maximum_range, maximum);
+}
 
 PlanarScanPoints
 pointsOf(const PlanarScan& scan)

@@ -21,6 +21,13 @@ struct PlanarScan {
   double stamp = 0;          ///< seconds
 };
 
+/** \brief Lowers the maximum range of scans of one laser to below the reading that stands for
+ * a missing echo, if many beams have the same one, otherwise to above their largest reading.
+ * \param[in,out] scans with the maximum range of the laser, infinity if it is not known
+ * \ingroup core */
+ACMAP_EXPORT void
+excludeMissingEchoes(std::vector<PlanarScan>& scans);
+
 /** \brief A scan as points of the XZ plane. \ingroup core */
 struct PlanarScanPoints {
   /** In the frame of the laser, y = 0. The normal, towards the laser, is that of the
