@@ -61,7 +61,7 @@ run(Tool& tool, const ChainOptions& options)
 {
   checkPlaces(options);
   const MapInput input =
-      openObservations(options.input, options.every, options.texture.skip_broken);
+      openObservations(options.input, options.bag, options.texture.skip_broken);
   requireSense(tool, options, input.start);
   const PicturesApart pictures(options.has_pictures, tool.log());
   OutputFolder folder(options.output);

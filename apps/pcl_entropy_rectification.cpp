@@ -11,8 +11,8 @@ main(int argc, char** argv)
   addOptions(tool, options);
   return tool.run(argc, argv, [&] {
     if (options.input().empty())
-      throw UsageError("POSED_DIR or --carmen LOG is needed");
-    requireSense(options);
+      throw UsageError("POSED_DIR, BAG or --carmen LOG is needed");
+    requireSense(tool, options);
     options.up = tool.reader().getUpDirection();
     tool.requireReportWritable({options.input()});
     if (options.log.empty())

@@ -2,6 +2,7 @@
 
 #include "output_target.h"
 
+#include <pcl/core/bag_file.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/rgbd_sequence.h>
 
@@ -50,6 +51,8 @@ kindOfFolder(const fs::path& folder)
     return has(trajectory_name) ? InputKind::MergedMap : InputKind::Observations;
   if (isRgbdFolder(folder.string()))
     return InputKind::RgbdFolder;
+  if (BagFile::isBag(folder.string()))
+    return InputKind::Bag;
   return count(".png") + count(".jpg") + count(".jpeg") + count(".pgm") +
                      count(".ppm") >
                  0
@@ -87,7 +90,7 @@ kindOfFile(const std::string& path)
     ending = endingOf(fs::path(path).stem().string());
   if (ending == ".log" || ending == ".clf")
     return InputKind::CarmenLog;
-  if (ending == ".mcap")
+  if (BagFile::isBag(path))
     return InputKind::Bag;
   for (const char* known : {".pcd", ".ply", ".obj", ".xyz", ".las", ".laz", ".e57"})
     if (ending == known)
@@ -143,8 +146,11 @@ toolsForInputs()
         "% is a laser log of CARMEN: run pcl_entropy_rectification --carmen % -o "
         "straight"}},
       {InputKind::Bag,
-       {{"pcl_compact_mapping input"},
-        "% is a bag of ROS 2: run pcl_compact_mapping % -o map for a map"}},
+       {{"pcl_compact_mapping input", "pcl_entropy_rectification posed"},
+        "% is a bag of ROS: run pcl_compact_mapping % -o map for a map of its images "
+        "or "
+        "clouds, or pcl_entropy_rectification % -o straight for one of its laser "
+        "scans"}},
       {InputKind::Planes,
        {{"pcl_compact_viewer input", "pcl_plane_texturing planes"},
         "% holds planes: run pcl_plane_texturing % POSED_DIR -o map to paint them, or "
@@ -171,7 +177,8 @@ inputKindOf(const std::string& path)
   std::error_code error;
   if (fs::is_directory(path, error))
     return kindOfFolder(path);
-  return fs::is_regular_file(path, error) ? kindOfFile(path) : InputKind::Unknown;
+  const bool is_file = fs::is_regular_file(path, error) || BagFile::isBag(path);
+  return is_file ? kindOfFile(path) : InputKind::Unknown;
 }
 
 std::string

@@ -10,18 +10,19 @@ namespace pcl::acmap {
 
 namespace {
 
-/** Three numbers with commas.
+/** Numbers with commas.
  * \return false for other texts */
+template <int count>
 bool
-readTriple(const std::string& text, Eigen::Vector3d& triple)
+readNumbers(const std::string& text, Eigen::Matrix<double, count, 1>& values)
 {
   std::istringstream numbers(text);
   numbers.imbue(std::locale::classic());
   char comma = ',';
-  for (int i = 0; i < 3; ++i)
-    if ((i > 0 && !(numbers >> comma)) || comma != ',' || !(numbers >> triple[i]))
+  for (int i = 0; i < count; ++i)
+    if ((i > 0 && !(numbers >> comma)) || comma != ',' || !(numbers >> values[i]))
       return false;
-  return numbers.peek() == std::istringstream::traits_type::eof() && triple.allFinite();
+  return numbers.peek() == std::istringstream::traits_type::eof() && values.allFinite();
 }
 
 /** The direction of x, -x, y, -y, z or -z, or of three numbers with commas.
@@ -34,7 +35,7 @@ directionOf(const std::string& text)
   if (axis == "x" || axis == "y" || axis == "z")
     return (is_opposite ? -1 : 1) * Eigen::Vector3d::Unit(axis[0] - 'x');
   Eigen::Vector3d direction;
-  if (!readTriple(text, direction) || direction.isZero(0))
+  if (!readNumbers(text, direction) || direction.isZero(0))
     throw CLI::ValidationError("--up",
                                text + " is no direction: x, y, z, one of these with a "
                                       "minus, or three numbers as 0.1,-1,0");
@@ -47,14 +48,49 @@ stateSensor(PointCloudReader& reader, const std::string& text)
   Eigen::Vector3d origin;
   if (text == "none")
     reader.setWithoutSensor();
-  else if (readTriple(text, origin))
+  else if (readNumbers(text, origin))
     reader.setSensorOrigin(origin.cast<float>());
   else
     throw CLI::ValidationError("--sensor-at",
                                text + " is neither none nor three numbers as 0,0,1.5");
 }
 
+void
+stateMounting(BagSettings& bag, const std::string& text)
+{
+  Eigen::Vector3d place;
+  Eigen::Matrix<double, 6, 1> pose;
+  pose.setZero();
+  bag.ignores_poses = text == "none";
+  if (bag.ignores_poses)
+    return;
+  if (readNumbers(text, place))
+    pose.head<3>() = place;
+  else if (!readNumbers(text, pose))
+    throw CLI::ValidationError("--sensor-pose",
+                               text + " is neither none nor three or six numbers, as "
+                                      "0.1,0,0.3 or 0.1,0,0.3,0,-15,0");
+  const Eigen::Vector3d turn = pose.tail<3>() * (M_PI / 180);
+  bag.T_robot_sensor = Eigen::Translation3d(pose.head<3>()) *
+                       Eigen::AngleAxisd(turn.z(), Eigen::Vector3d::UnitZ()) *
+                       Eigen::AngleAxisd(turn.y(), Eigen::Vector3d::UnitY()) *
+                       Eigen::AngleAxisd(turn.x(), Eigen::Vector3d::UnitX());
+}
+
 } // namespace
+
+CLI::Option*
+addSensorPose(CLI::App& app, BagSettings& bag)
+{
+  return addSetter<std::string>(
+      app,
+      "--sensor-pose",
+      [&bag](const std::string& text) { stateMounting(bag, text); },
+      "Where the sensor is on the robot, for a bag whose transforms do not say it: "
+      "metres ahead, left and up, then degrees of roll, pitch and yaw (0, looking "
+      "ahead, without them); none: the poses of the bag are not taken",
+      "X,Y,Z[,R,P,Y]|none");
+}
 
 void
 addScale(CLI::App& app, PointCloudReader& reader)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/point_cloud_reader.h>
+#include <pcl/pipeline/bag_settings.h>
 
 #include <CLI/App.hpp>
 
@@ -16,6 +17,10 @@ addScale(CLI::App& app, PointCloudReader& reader);
 /** \brief Adds `--up`. \param[in] more of what the tool does with it */
 void
 addUp(CLI::App& app, PointCloudReader& reader, const std::string& more = {});
+
+/** \brief Adds `--sensor-pose`, for bags. */
+CLI::Option*
+addSensorPose(CLI::App& app, BagSettings& bag);
 
 /** \brief Adds all options of what is stated of a cloud. */
 void

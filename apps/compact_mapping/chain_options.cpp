@@ -1,6 +1,6 @@
 #include "chain_options.h"
 
-#include "output_target.h"
+#include "input_kind.h"
 #include "reading_options.h"
 
 #include <CLI/CLI.hpp>
@@ -46,9 +46,10 @@ addSequenceOptions(Tool& tool, ChainOptions& options)
         ->type_name("TRAJECTORY.txt");
   });
   inGroup(tool, bag_group, [&] {
-    app.add_option("--every", options.every, "Take only each Nth image or cloud")
+    app.add_option("--every", options.bag.every, "Take only each Nth image or cloud")
         ->type_name("N")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
+    addSensorPose(app, options.bag);
   });
   inGroup(tool, egomotion_group, [&] { addMotionChoices(app, options.egomotion); });
   app.get_option("--6dof")
@@ -127,8 +128,8 @@ addOptions(Tool& tool, ChainOptions& options)
          "input",
          options.input,
          "Raw session, folder of observation PCDs with or without poses, E57 file of "
-         "several scans, bag of ROS 2 (.mcap), or one cloud (.pcd, .ply, .obj, .xyz, "
-         ".las, .e57)")
+         "several scans, bag of ROS (.mcap, .db3, .bag, or the folder of a recording), "
+         "or one cloud (.pcd, .ply, .obj, .xyz, .las, .e57)")
       ->type_name("INPUT")
       ->required();
   app.add_option("-o,--output", options.output, "Folder for the compact map")
@@ -180,7 +181,7 @@ requireSense(Tool& tool, const ChainOptions& options, StartingPoint start)
       (start == StartingPoint::Cloud ? "one cloud" : nameOf(start));
   if (start != StartingPoint::Session)
     refuseGroup(tool, stereo_group, "is for raw sessions, and " + what);
-  if (endingOf(options.input) != ".mcap")
+  if (inputKindOf(options.input) != InputKind::Bag)
     refuseGroup(tool, bag_group, "is for bags, and " + what);
   if (start == StartingPoint::PosedObservations || start == StartingPoint::Cloud)
     refuseGroup(

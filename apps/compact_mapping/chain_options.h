@@ -28,7 +28,7 @@ struct ChainOptions {
   /** \brief Endings of those of map.html, map.ifc and the floor plans that are written. */
   std::vector<std::string> formats = {"html", "ifc", "svg", "dxf", "geojson"};
   bool rectifies = true;
-  std::size_t every = 1;        ///< take each n-th observation of a bag
+  BagSettings bag;              ///< how a bag is read
   bool as_recorded = false;     ///< replay a session at its pace, and map it meanwhile
   bool live = false;            ///< show the map of the replay so far
   std::shared_ptr<Ranks> ranks; ///< processes that make the map; null: this one alone
@@ -43,7 +43,7 @@ struct ChainOptions {
 
 /** \brief Titles of the option groups of the stages in the help. */
 constexpr const char* stereo_group = "Stereo, for a raw session";
-constexpr const char* bag_group = "Bag of ROS 2";
+constexpr const char* bag_group = "Bag of ROS";
 constexpr const char* egomotion_group = "Egomotion, for observations without poses";
 constexpr const char* motion_group = "Motion, for more than one observation";
 constexpr const char* rectification_group =

@@ -182,11 +182,11 @@ MapRun::observationStage(const MapInput& input)
     state.has_poses = input.start == StartingPoint::PosedObservations ||
                       !options_.stereo.poses.empty();
   };
-  stage.key = [this,
-               is_session](const ChainState&, const ChainSettings&, StageKey& key) {
+  stage.key = [this, input, is_session](
+                  const ChainState&, const ChainSettings&, StageKey& key) {
     key.add("input",
             is_session ? stateOf(options_.input, filesIn(options_.input))
-                       : stateOfFile(options_.input));
+                       : input.recorded->fingerprint());
     key.add("options", textOf(values_(is_session ? stereo_group : bag_group)));
     key.add("scale", controls_.reader.getScale());
     if (!options_.stereo.poses.empty())

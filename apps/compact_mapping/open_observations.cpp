@@ -32,12 +32,11 @@ scansOf(const std::string& path)
 }
 
 std::optional<ObservationSequence>
-openRecording(const std::string& path, std::size_t every)
+openRecording(const std::string& path, const BagSettings& bag)
 {
-  const std::string ending = endingOf(path);
-  if (ending == ".mcap")
-    return ObservationSequence(openBag(path, every));
-  if (ending == ".e57" && scansOf(path) > 1)
+  if (inputKindOf(path) == InputKind::Bag)
+    return ObservationSequence(openBag(path, bag));
+  if (endingOf(path) == ".e57" && scansOf(path) > 1)
     return ObservationSequence(openScans(path));
   return {};
 }
@@ -83,12 +82,12 @@ nameOf(StartingPoint start)
 }
 
 MapInput
-openObservations(const std::string& path, std::size_t every, bool skip_broken)
+openObservations(const std::string& path, const BagSettings& bag, bool skip_broken)
 {
   const auto observations = [](bool has_poses) {
     return has_poses ? StartingPoint::PosedObservations : StartingPoint::Observations;
   };
-  if (auto recorded = openRecording(path, every)) {
+  if (auto recorded = openRecording(path, bag)) {
     const StartingPoint start = observations(recorded->hasTrajectory());
     return {start, std::move(recorded)};
   }

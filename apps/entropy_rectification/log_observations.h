@@ -1,11 +1,10 @@
 #pragma once
 
-#include "stage_log.h"
+#include "rectification_options.h"
 
 #include <pcl/core/planar_scan.h>
 #include <pcl/pipeline/sequence_consolidation.h>
 
-#include <string>
 #include <vector>
 
 namespace pcl::acmap {
@@ -16,9 +15,9 @@ struct LogObservations : ConsolidatedObservations {
   std::size_t points = 0; ///< echoes
 };
 
-/** \brief Reads every n-th scan of a CARMEN log, as a step of the tool.
- * \throws InputFileException as loadCarmenLog */
+/** \brief Reads every n-th scan of a CARMEN log or of a bag, as a step of the tool.
+ * \throws InputFileException as loadCarmenLog and loadBagScans */
 LogObservations
-readScans(const std::string& path, std::size_t every, StageLog& log);
+readScans(const RectificationOptions& options, StageLog& log);
 
 } // namespace pcl::acmap

@@ -1,5 +1,6 @@
 #include "rectification_options.h"
 
+#include "input_kind.h"
 #include "reading_options.h"
 #include "setter_option.h"
 
@@ -18,27 +19,49 @@ void
 addInputs(Tool& tool, RectificationOptions& options)
 {
   CLI::App& app = tool.options();
+  const auto takeScans = [&options](const std::string& path) {
+    options.log = path;
+    options.stage.setBinSize(Rectification().getBinSize()); // before --bin
+  };
   CLI::Option* const folder =
-      app.add_option(
-             "posed", options.folder, "Folder of observation PCDs with their poses")
-          ->type_name("POSED_DIR");
+      app.add_option_function<std::string>(
+             "posed",
+             [&options, takeScans](const std::string& path) {
+               if (inputKindOf(path) == InputKind::Bag)
+                 takeScans(path);
+               else
+                 options.folder = path;
+             },
+             "Folder of observation PCDs with their poses, or a bag of ROS with laser "
+             "scans and odometry")
+          ->type_name("POSED_DIR|BAG");
   CLI::Option* const log =
       app.add_option_function<std::string>(
              "--carmen",
-             [&options](const std::string& log) {
-               options.log = log;
-               options.stage.setBinSize(Rectification().getBinSize()); // before --bin
-             },
-             "Laser log of CARMEN instead, also as .gz; its FLASER messages are "
-             "taken, in metres")
+             takeScans,
+             "Laser log of CARMEN instead, also as .gz; its FLASER or ROBOTLASER1 "
+             "messages are taken, in metres")
           ->type_name("LOG")
           ->excludes(folder);
   app.add_option("-o,--output", options.output, "Folder for poses, map and pictures")
       ->type_name("OUT_DIR")
       ->required();
-  app.add_option("--every", options.every, "Take only each Nth scan of the log")
+  addSetter<double>(
+      app,
+      "--laser-fov",
+      [&options](double degrees) {
+        if (!(degrees > 0 && degrees <= 360))
+          throw BadArgument("it must be within (0, 360] degrees");
+        options.laser_sweep = degrees * M_PI / 180;
+      },
+      "Degrees from the first to the last direction of FLASER messages [default: what "
+      "PARAM laser_front_laser_fov of the log states, else 180]",
+      "DEG")
+      ->needs(log);
+  addSensorPose(app, options.bag);
+  app.add_option(
+         "--every", options.bag.every, "Take only each Nth scan of the log or the bag")
       ->type_name("N")
-      ->needs(log)
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
   app.add_flag("--observations",
                options.write_observations,
@@ -97,8 +120,20 @@ addRectificationChoices(Tool& tool, RectificationOptions& options)
 }
 
 void
-requireSense(const RectificationOptions& options)
+requireSense(Tool& tool, const RectificationOptions& options)
 {
+  const auto refuse = [&](const char* option, const std::string& why) {
+    if (tool.options().get_option(option)->count() > 0)
+      throw UsageError(option + why);
+  };
+  const bool is_bag = inputKindOf(options.input()) == InputKind::Bag;
+  if (options.log.empty())
+    refuse("--every", std::string(" is for logs and bags"));
+  if (!is_bag)
+    refuse("--sensor-pose", std::string(" is for bags"));
+  if (is_bag)
+    for (const char* option : {"--6dof", "--observations", "--scale"})
+      refuse(option, std::string(" is for a folder of observations"));
   const std::optional<double>& smoothing = options.stage.getSmoothing();
   if (!smoothing)
     return;

@@ -4,6 +4,7 @@
 
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/mapping/map_levelling_types.h>
+#include <pcl/pipeline/bag_settings.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/sequence_consolidation.h>
 #include <pcl/point_types.h>
@@ -21,9 +22,10 @@ namespace pcl::acmap {
 /** \brief Options of the user. */
 struct RectificationOptions {
   std::string folder; ///< of posed observations; empty with a log
-  std::string log;    ///< CARMEN log; empty with a folder
+  std::string log;    ///< CARMEN log, or a bag; empty with a folder
   std::string output;
-  std::size_t every = 1;                   ///< step between the scans of the log
+  BagSettings bag;                   ///< how the bag, or the log, is read
+  std::optional<double> laser_sweep; ///< of the log, radians; found if it is not set
   EntropyRectification<PointNormal> stage; ///< without observations
   std::optional<Eigen::Vector3d> up;       ///< of the input; found if it is not set
   bool six_degrees = false;                ///< adjust by planes after the entropy
@@ -55,10 +57,10 @@ addOptions(Tool& tool, RectificationOptions& options);
 void
 addRectificationChoices(Tool& tool, RectificationOptions& options);
 
-/** \brief \throws UsageError when an option has no effect in the mode, or exceeds what
- * the bin size permits */
+/** \brief \throws UsageError when an option has no effect in the mode or for the input, or
+ * exceeds what the bin size permits */
 void
-requireSense(const RectificationOptions& options);
+requireSense(Tool& tool, const RectificationOptions& options);
 
 /** \brief Reports vertical and rectification. */
 void

@@ -408,7 +408,7 @@ rectifyScans(const RectificationOptions& options,
   StepTimer timer(log.report);
   OutputFolder folder(options.output);
   requirePlace(options, folder);
-  LogObservations scans = readScans(options.log, options.every, log);
+  LogObservations scans = readScans(options, log);
   if (scans.points == 0)
     throw NothingFound(options.input() + ": has no point");
   timer.finish("read");

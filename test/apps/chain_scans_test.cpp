@@ -212,6 +212,17 @@ TEST_F(ChainScans, ABagWithoutPosesKeepsItsTimes)
   EXPECT_EQ(loadTrajectory(out_ + "/trajectory.txt").stamps, stamps);
 }
 
+TEST_F(ChainScans, ABagOfLaserScansNamesItsTool)
+{
+  McapWriter bag;
+  bag.add("/scan",
+          "sensor_msgs/msg/LaserScan",
+          1,
+          scanMessage(1, "laser", 0, 0.1F, {1, 2, 3}));
+  const std::string path = folder_.write("robot.mcap", bag.finish());
+  expectRefused(runChain(path, out_), 3, "run pcl_entropy_rectification " + path);
+}
+
 TEST_F(ChainScans, CoordinatesOfANationalGridComeBack)
 {
   Eigen::Isometry3d T_grid_map = Eigen::Isometry3d::Identity();

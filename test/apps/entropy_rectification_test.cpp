@@ -1,4 +1,5 @@
 #include "json_file.h"
+#include "mcap_file.h"
 #include "rectification_runs.h"
 #include "temporary_folder.h"
 #include "tool_cases.h"
@@ -242,6 +243,73 @@ TEST(RectificationTool, StraightensALog)
     EXPECT_TRUE(isometryOf(corrected.scans[i].pose).isApprox(rectified.poses[i], 1e-9));
   const std::string table = contentOf(output + "/poses_2d.txt");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 61);
+}
+
+/** The scans of a log as a bag, whose odometry is the poses of the log. */
+std::string
+bagOf(const CarmenLog& log)
+{
+  McapWriter bag;
+  for (const PlanarScan& scan : log.scans) {
+    Eigen::Isometry3d pose(
+        Eigen::AngleAxisd(-scan.pose.theta, Eigen::Vector3d::UnitZ()));
+    pose.translation() << scan.pose.z, -scan.pose.x, 0;
+    bag.add("/odom",
+            "nav_msgs/msg/Odometry",
+            scan.stamp,
+            odometryMessage(scan.stamp, "odom", "base_scan", pose));
+    bag.add("/scan",
+            "sensor_msgs/msg/LaserScan",
+            scan.stamp,
+            scanMessage(scan.stamp,
+                        "base_scan",
+                        static_cast<float>(-scan.first_angle),
+                        static_cast<float>(-scan.angle_step),
+                        scan.ranges));
+  }
+  return bag.finish();
+}
+
+TEST(RectificationTool, StraightensTheScansOfABagAsThoseOfALog)
+{
+  const TemporaryFolder folder;
+  const std::string log = folder.write("a log", roomLog(true));
+  runRectification({"--carmen", log, "-o", folder.path("of_log")}).succeeded();
+  const std::string bag = folder.write("robot.mcap", bagOf(loadCarmenLog(log)));
+  const ToolRun run = runRectification({bag, "-o", folder.path("of_bag")}).succeeded();
+  EXPECT_THAT(run.out, HasSubstr("60 of 60 scans, 10680 echoes, 120 beams without"));
+  const Trajectory of_log = loadTrajectory(folder.path("of_log/trajectory.txt"));
+  const Trajectory of_bag = loadTrajectory(folder.path("of_bag/trajectory.txt"));
+  EXPECT_LT(meanError(of_bag, of_log), 1e-3);
+  const CarmenLog corrected = loadCarmenLog(folder.path("of_bag/corrected.log"));
+  EXPECT_EQ(corrected.scans.size(), 60U);
+  const auto refuse = [&](std::vector<std::string> options, const std::string& word) {
+    options.insert(options.end(), {"-o", folder.path("none")});
+    const ToolRun refused = runRectification(options);
+    EXPECT_EQ(refused.exit_code, 2) << word;
+    EXPECT_THAT(refused.err, HasSubstr(word));
+  };
+  refuse({bag, "--6dof"}, "--6dof is for a folder of observations");
+  refuse({bag, "--laser-fov", "180"}, "--laser-fov");
+  refuse({"--carmen", log, "--sensor-pose", "0,0,1"}, "--sensor-pose is for bags");
+  refuse({bag, "--sensor-pose", "0,1"}, "three or six numbers");
+}
+
+TEST(RectificationTool, TheSweepOfALogIsToldAndMayBeStated)
+{
+  const TemporaryFolder folder;
+  const std::string log = folder.write("a log", roomLog(true));
+  const auto run = [&](const char* output, const std::vector<std::string>& more) {
+    std::vector<std::string> options = {
+        "--carmen", log, "--every", "20", "-o", folder.path(output)};
+    options.insert(options.end(), more.begin(), more.end());
+    return runRectification(options).succeeded();
+  };
+  EXPECT_THAT(run("assumed", {}).out,
+              HasSubstr("180 degrees, a beam each 1 degrees, assumed; --laser-fov"));
+  const ToolRun wide = run("stated", {"--laser-fov", "270"});
+  EXPECT_THAT(wide.out, HasSubstr("270 degrees, a beam each 1.5 degrees, as stated"));
+  EXPECT_THAT(wide.err, HasSubstr("as of no common laser"));
 }
 
 TEST(RectificationTool, TakesEachNthScan)

@@ -158,9 +158,9 @@ TEST(BagSource, ImagesAreObservationsWithThePosesOfTheTree)
     EXPECT_NEAR(coordinate(file, pixel, 1), z * (2 - 2.5) / 20, 1e-6);
     EXPECT_NEAR(coordinate(file, pixel, 2), z, 1e-6);
   }
-  EXPECT_EQ(ObservationSequence(openBag(path, 2)).size(), 2U);
+  EXPECT_EQ(ObservationSequence(openBag(path, {2})).size(), 2U);
   EXPECT_THAT(sequence.remarks(), testing::IsEmpty());
-  EXPECT_THROW(openBag(path, 0), BadArgumentException);
+  EXPECT_THROW(openBag(path, {0}), BadArgumentException);
 }
 
 TEST(BagSource, ColoursOfAnotherCameraAreRegistered)
@@ -182,14 +182,6 @@ threePoints()
   return bytesOf(std::vector<float>{1, 2, 3, 0, 4, 5, 6, 0, 7, 8, 9, 0});
 }
 
-std::string
-odometryMessage(double stamp, const Eigen::Isometry3d& pose)
-{
-  CdrBytes cdr;
-  cdr.addHeader(stamp, "odom").addText("base").addPose(pose);
-  return cdr.bytes;
-}
-
 TEST(BagSource, CloudsOfABodyAreTurnedToThoseOfACamera)
 {
   const TemporaryFolder folder;
@@ -201,7 +193,10 @@ TEST(BagSource, CloudsOfABodyAreTurnedToThoseOfACamera)
             cloud_type,
             stamp,
             cloudMessage(stamp, "lidar", 3, 1, threePoints()));
-    bag.add("/odom", odometry_type, stamp, odometryMessage(stamp, moved(i, 0, 0)));
+    bag.add("/odom",
+            odometry_type,
+            stamp,
+            odometryMessage(stamp, "odom", "base", moved(i, 0, 0)));
   }
   bag.add("/tf_static",
           tf_type,

@@ -1,20 +1,17 @@
-#include "bag/frame_tree.h"
+#include "bag/sensor_mounting.h"
 #include "rgbd/stamp_matching.h"
 
-#include <pcl/core/bag_file.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/size_text.h>
-#include <pcl/core/ros_messages.h>
 #include <pcl/pipeline/observation_source.h>
 #include <pcl/pipeline/rgbd_observation.h>
-#include <pcl/pipeline/stage_store.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstring>
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace pcl {
@@ -23,51 +20,72 @@ namespace acmap {
 
 namespace {
 
-/** \brief A topic with its messages in the order of the file. */
-struct BagTopic {
-  std::string name, type;
-  std::vector<BagMessage> messages;
-};
+constexpr const char *image_type = "sensor_msgs/Image",
+                     *compressed_type = "sensor_msgs/CompressedImage",
+                     *camera_type = "sensor_msgs/CameraInfo",
+                     *cloud_type = "sensor_msgs/PointCloud2";
+
+/** \brief Types of clouds and depths that are not read, and what makes of them one that is.
+ */
+constexpr std::array<std::pair<const char*, const char*>, 5> conversions = {
+    {{"sensor_msgs/PointCloud",
+      "rosrun point_cloud_converter point_cloud_converter_node publishes PointCloud2"},
+     {"velodyne_msgs/VelodyneScan",
+      "the node velodyne_pointcloud transform publishes PointCloud2"},
+     {"ouster_ros/PacketMsg", "the node os_cloud of ouster_ros publishes PointCloud2"},
+     {"livox_ros_driver/CustomMsg",
+      "record livox_ros_driver with xfer_format 0, PointCloud2"},
+     {"livox_ros_driver2/CustomMsg",
+      "record livox_ros_driver2 with xfer_format 0, PointCloud2"}}};
 
 /** \brief Images of a topic, judged by the first one. */
 struct ImageTopic {
   const BagTopic* topic = nullptr;
   bool is_depth = false;
+  bool is_gray = false; ///< as those of an infrared camera
   std::string frame;
   std::int32_t width = 0, height = 0; ///< pixels
 };
 
-bool
-endsWith(const std::string& text, const std::string& ending)
-{
-  return text.size() >= ending.size() &&
-         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
-
-/** \brief Image of sensor_msgs/msg/Image; empty for types of other packages. */
+/** \brief /device_0/sensor_0/Depth_0 of the images that RealSense's own recorder writes; empty
+ * for others. All its frames are named 0. */
 std::string
-typeIn(const std::string& package, const std::string& type)
+realsenseStreamOf(const std::string& topic)
 {
-  return type.rfind(package + "/msg/", 0) == 0 ? type.substr(package.size() + 5) : "";
+  const std::string ending = "/image/data";
+  const bool is_one = topic.rfind("/device_", 0) == 0 && endsWith(topic, ending);
+  return is_one ? topic.substr(0, topic.size() - ending.size()) : std::string();
 }
 
-/** \brief The topic of the CameraInfo beside that of an image. */
+/** \brief The topic of the CameraInfo beside that of an image, or as RealSense's own
+ * recorder has it. */
 std::string
 cameraTopicOf(std::string topic)
 {
   for (const char* transport : {"/compressed", "/compressedDepth"})
     if (endsWith(topic, transport))
       topic.resize(topic.size() - std::string(transport).size());
+  if (const std::string stream = realsenseStreamOf(topic); !stream.empty())
+    return stream + "/info/camera_info";
   return topic.substr(0, topic.rfind('/') + 1) + "camera_info";
 }
 
-/** \brief From a body with x ahead and z up to a camera. */
-Eigen::Isometry3d
-cameraOfBody()
+/** \brief Are the images of a topic infrared ones, whose 16 bits are no depths? */
+bool
+isInfrared(const std::string& topic)
 {
-  Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
-  turn.linear() << 0, -1, 0, 0, 0, -1, 1, 0, 0;
-  return turn;
+  for (const char* name : {"/ir/", "/ir_", "_ir", "infra", "Infra"})
+    if (topic.find(name) != topic.npos)
+      return true;
+  return false;
+}
+
+/** \brief Are both the same camera within 1 %? */
+bool
+areSame(const Pinhole& a, const Pinhole& b)
+{
+  const auto near = [&](double x, double y) { return std::abs(x - y) < 0.01 * a.fx; };
+  return near(a.fx, b.fx) && near(a.fy, b.fy) && near(a.cx, b.cx) && near(a.cy, b.cy);
 }
 
 /** \brief Turns the points of a cloud. */
@@ -95,35 +113,36 @@ struct BagObservation {
 /** \brief Finds out what a bag has, and lists its observations. */
 class BagSource : public ObservationSource {
 public:
-  BagSource(const std::string& path, std::size_t every)
-  : bag_(path)
+  BagSource(const std::string& path, const BagSettings& settings)
+  : topics_(path)
   {
-    listTopics();
-    takeTransforms();
     std::vector<ImageTopic> depths, colors;
-    for (const auto& [name, topic] : topics_)
+    for (const auto& [name, topic] : topics_.all())
       if (std::optional<ImageTopic> images = imagesOf(topic))
         (images->is_depth ? depths : colors).push_back(*images);
+    preferColors(colors);
     if (!depths.empty() && !colors.empty()) {
-      takeImages(mostOf(depths), colors, every);
+      takeImages(bestDepths(depths, colors), colors, settings.every);
       if (depths.size() > 1 || colors.size() > 1)
-        remark("took depths of " + depth_.name + ", colours of " + color_.name);
+        topics_.remark("took depths of " + depth_.name + ", colours of " + color_.name);
     }
+    else if (const BagTopic* const clouds = topics_.largestOf(cloud_type))
+      takeClouds(*clouds, settings.every);
     else
-      takeClouds(every);
-    takePoses();
+      refuseBag(depths);
+    takePoses(settings);
   }
 
   std::string
   name() const override
   {
-    return bag_.path();
+    return topics_.bag().path();
   }
 
   std::string
   fingerprint() const override
   {
-    return acmap::stateOfFile(bag_.path());
+    return topics_.fingerprint();
   }
 
   std::size_t
@@ -159,80 +178,80 @@ public:
   std::vector<std::string>
   remarks() const override
   {
-    return remarks_;
+    return topics_.remarks();
   }
 
 private:
+  /** \brief Refuses a bag without observations, and names what reads it. */
   [[noreturn]] void
-  fail(const std::string& fault) const
+  refuseBag(const std::vector<ImageTopic>& depths) const
   {
-    throw InputFileException(bag_.path() + ": " + fault);
-  }
-
-  void
-  remark(const std::string& text)
-  {
-    remarks_.push_back(bag_.path() + ": " + text);
-  }
-
-  std::string
-  placeOf(const std::string& topic) const
-  {
-    return bag_.path() + ": " + topic;
-  }
-
-  void
-  listTopics()
-  {
-    for (const BagMessage& message : bag_.messages()) {
-      const BagChannel& channel = bag_.channels()[message.channel];
-      if (channel.encoding != "cdr")
-        continue;
-      BagTopic& topic = topics_[channel.topic];
-      if (topic.messages.empty()) {
-        topic.name = channel.topic;
-        topic.type = channel.type;
-      }
-      if (topic.type == channel.type)
-        topic.messages.push_back(message);
-    }
+    const std::string& path = name();
+    if (topics_.largestOf(scan_type))
+      topics_.fail("has laser scans of a plane: run pcl_entropy_rectification " + path +
+                   " -o straight; its topics: " + topics_.list());
+    std::string fault =
+        depths.empty()
+            ? "has neither depth images with colour images nor PointCloud2"
+            : "has depth images in " + depths.front().topic->name + ", but no colours";
+    for (const std::string& reason : unused_)
+      fault += "; " + reason;
+    for (const auto& [type, advice] : conversions)
+      if (topics_.largestOf(type))
+        fault += std::string("; ") + type + " is not read: " + advice;
+    topics_.fail(fault + "; its topics: " + topics_.list());
   }
 
   RosImage
-  loadImage(const std::string& type,
-            const std::string& topic,
-            const BagMessage& message) const
+  loadImage(const BagTopic& topic, const BagMessage& message) const
   {
-    const std::string bytes = bag_.load(message);
-    return type == "CompressedImage" ? readRosCompressedImage(bytes, placeOf(topic))
-                                     : readRosImage(bytes, placeOf(topic));
+    return topic.type == compressed_type
+               ? topics_.read(topic, message, readRosCompressedImage)
+               : topics_.read(topic, message, readRosImage);
   }
 
   /** \brief Nothing if the messages are no images, or of an encoding that is neither of
-   * colours nor of depths. */
+   * colours nor of depths, as of an infrared camera. */
   std::optional<ImageTopic>
-  imagesOf(const BagTopic& topic) const
+  imagesOf(const BagTopic& topic)
   {
-    const std::string type = typeIn("sensor_msgs", topic.type);
-    if (type != "Image" && type != "CompressedImage")
+    if (topic.type != image_type && topic.type != compressed_type)
       return {};
-    const RosImage first = loadImage(type, topic.name, topic.messages.front());
-    ImageTopic images{&topic, first.isDepth(), first.header.frame};
-    if (images.is_depth) {
-      const DepthImage depth = depthsOf(first, placeOf(topic.name));
-      images.width = depth.width;
-      images.height = depth.height;
-      return images;
-    }
     try {
-      const RgbImage color = colorsOf(first, placeOf(topic.name));
-      images.width = color.width;
-      images.height = color.height;
+      const RosImage first = loadImage(topic, topic.messages.front());
+      ImageTopic images;
+      images.topic = &topic;
+      images.is_depth = first.isDepth();
+      if (images.is_depth && isInfrared(topic.name))
+        return {};
+      images.is_gray = first.encoding == "mono8" || first.encoding == "8UC1";
+      images.frame = first.header.frame;
+      const auto setSize = [&](const auto& image) {
+        images.width = image.width;
+        images.height = image.height;
+      };
+      if (images.is_depth)
+        setSize(depthsOf(first, topic.name));
+      else
+        setSize(colorsOf(first, topic.name));
       return images;
     }
-    catch (const InputFileException&) {
-      return {}; // of a camera that is of no use here, such as an infrared one
+    catch (const InputFileException& error) {
+      unused_.emplace_back(error.what());
+      return {};
     }
+  }
+
+  /** \brief Drops gray images where there are colours. */
+  static void
+  preferColors(std::vector<ImageTopic>& colors)
+  {
+    const auto gray =
+        std::stable_partition(colors.begin(),
+                              colors.end(),
+                              [](const ImageTopic& images) { return !images.is_gray; });
+    if (gray != colors.begin())
+      colors.erase(gray, colors.end());
   }
 
   static const ImageTopic&
@@ -244,45 +263,46 @@ private:
         });
   }
 
-  /** \brief Poses of frames in frames. */
-  void
-  takeTransforms()
+  /** \brief The depths to take: those that are registered to colours, then the most. */
+  const ImageTopic&
+  bestDepths(const std::vector<ImageTopic>& depths,
+             const std::vector<ImageTopic>& colors) const
   {
-    for (const auto& [name, topic] : topics_)
-      if (typeIn("tf2_msgs", topic.type) == "TFMessage")
-        for (const BagMessage& message : topic.messages)
-          for (const RosTransform& transform :
-               readRosTransforms(bag_.load(message), placeOf(name)))
-            tree_.add(transform, endsWith(name, "tf_static"));
-    std::set<std::string> known;
-    for (const auto& [name, topic] : topics_) {
-      if (typeIn("nav_msgs", topic.type) != "Odometry")
-        continue;
-      const std::string child =
-          readRosOdometry(bag_.load(topic.messages.front()), placeOf(name)).child;
-      if (tree_.hasParent(child) || !known.insert(child).second)
-        continue;
-      for (const BagMessage& message : topic.messages)
-        tree_.add(readRosOdometry(bag_.load(message), placeOf(name)), false);
-    }
+    std::vector<ImageTopic const*> registered;
+    for (const ImageTopic& depth : depths)
+      if (std::any_of(colors.begin(), colors.end(), [&](const ImageTopic& color) {
+            return isRegistered(depth, color);
+          }))
+        registered.push_back(&depth);
+    const ImageTopic* best = registered.empty() ? &mostOf(depths) : registered.front();
+    for (const ImageTopic* depth : registered)
+      if (depth->topic->messages.size() > best->topic->messages.size())
+        best = depth;
+    return *best;
+  }
+
+  std::optional<RosCameraInfo>
+  findCamera(const ImageTopic& images) const
+  {
+    const auto load = [&](const BagTopic& topic) {
+      return topics_.read(topic, topic.messages.front(), readRosCameraInfo);
+    };
+    const auto beside = topics_.all().find(cameraTopicOf(images.topic->name));
+    if (beside != topics_.all().end() && beside->second.type == camera_type)
+      return load(beside->second);
+    for (const BagTopic* topic : topics_.ofType(camera_type))
+      if (RosCameraInfo info = load(*topic); info.header.frame == images.frame)
+        return info;
+    return {};
   }
 
   RosCameraInfo
   cameraOf(const ImageTopic& images) const
   {
-    const auto load = [&](const BagTopic& topic) {
-      return readRosCameraInfo(bag_.load(topic.messages.front()), placeOf(topic.name));
-    };
-    const auto beside = topics_.find(cameraTopicOf(images.topic->name));
-    if (beside != topics_.end() &&
-        typeIn("sensor_msgs", beside->second.type) == "CameraInfo")
-      return load(beside->second);
-    for (const auto& [name, topic] : topics_)
-      if (typeIn("sensor_msgs", topic.type) == "CameraInfo")
-        if (RosCameraInfo info = load(topic); info.header.frame == images.frame)
-          return info;
-    fail("has no CameraInfo for " + images.topic->name + ", looked for " +
-         cameraTopicOf(images.topic->name));
+    if (std::optional<RosCameraInfo> camera = findCamera(images))
+      return std::move(*camera);
+    topics_.fail("has no CameraInfo for " + images.topic->name + ", looked for " +
+                 cameraTopicOf(images.topic->name) + "; its topics: " + topics_.list());
   }
 
   /** \brief Chooses the colours for depths, and their cameras. */
@@ -309,69 +329,86 @@ private:
     frame_ = depth.frame;
     depth_ = *depth.topic;
     color_ = *color.topic;
+    depth_unit_ = depthUnit();
+    if (!(depth_unit_ > 0 && std::isfinite(depth_unit_)))
+      topics_.fail("has depths in a unit that is not above 0");
     if (is_distorted)
-      remark("its images are taken as rectified, though CameraInfo has a distortion");
+      topics_.remark(
+          "its images are taken as rectified, though CameraInfo has a distortion");
     pair(every);
   }
 
-  static bool
-  isRegistered(const ImageTopic& depth, const ImageTopic& color)
+  bool
+  isRegistered(const ImageTopic& depth, const ImageTopic& color) const
   {
-    return depth.frame == color.frame && depth.width == color.width &&
-           depth.height == color.height;
+    if (depth.frame != color.frame || depth.width != color.width ||
+        depth.height != color.height)
+      return false;
+    const auto depth_camera = findCamera(depth), color_camera = findCamera(color);
+    return !depth_camera || !color_camera ||
+           areSame(depth_camera->pinhole, color_camera->pinhole);
+  }
+
+  /** \brief T_stream_reference of a stream of RealSense's own recorder. */
+  std::optional<Eigen::Isometry3d>
+  poseInRealsense(const ImageTopic& images) const
+  {
+    const std::string stream = realsenseStreamOf(images.topic->name);
+    if (!stream.empty())
+      for (const BagTopic* topic : topics_.ofType("geometry_msgs/Transform"))
+        if (topic->name.rfind(stream + "/tf/", 0) == 0)
+          return topics_.read(*topic, topic->messages.front(), readRosBareTransform);
+    return {};
+  }
+
+  /** \brief Millimetres in a unit of the depths, as RealSense's own recorder states it. */
+  double
+  depthUnit() const
+  {
+    constexpr double mm_per_m = 1000;
+    if (!realsenseStreamOf(depth_.name).empty())
+      for (const BagTopic* topic : topics_.ofType("std_msgs/Float32"))
+        if (endsWith(topic->name, "/option/Depth_Units/value") ||
+            endsWith(topic->name, "/option/Depth Units/value"))
+          return mm_per_m *
+                 topics_.read(*topic, topic->messages.front(), readRosNumber);
+    return 1;
   }
 
   /** \brief T_depth_color */
   Eigen::Isometry3d
   poseOfColors(const ImageTopic& depth, const ImageTopic& color) const
   {
-    const double stamp = readRosHeader(bag_.load(depth.topic->messages.front()),
-                                       placeOf(depth.topic->name))
-                             .stamp;
-    const auto T_depth_color = tree_.relativePose(depth.frame, color.frame, stamp);
+    const auto T_depth_reference = poseInRealsense(depth),
+               T_color_reference = poseInRealsense(color);
+    if (T_depth_reference && T_color_reference)
+      return *T_depth_reference * T_color_reference->inverse();
+    const double stamp =
+        topics_.read(*depth.topic, depth.topic->messages.front(), readRosHeader).stamp;
+    const auto T_depth_color =
+        topics_.tree().relativePose(depth.frame, color.frame, stamp);
     if (!T_depth_color)
-      fail("has no transform between the frames of depths and colours, " + depth.frame +
-           " and " + color.frame);
+      topics_.fail("has no transform between the frames of depths and colours, " +
+                   depth.frame + " and " + color.frame +
+                   ", as without tf_static: record it, or depth images that are "
+                   "registered to the colours; the frames are: " +
+                   topics_.tree().list());
     return *T_depth_color;
-  }
-
-  std::vector<double>
-  stampsOf(const BagTopic& topic) const
-  {
-    std::vector<double> stamps;
-    for (const BagMessage& message : topic.messages)
-      stamps.push_back(readRosHeader(bag_.load(message), placeOf(topic.name)).stamp);
-    return stamps;
-  }
-
-  /** \brief Messages in the order of their stamps. */
-  std::vector<double>
-  sortByStamps(BagTopic& topic) const
-  {
-    const std::vector<double> stamps = stampsOf(topic);
-    std::vector<double> rising;
-    std::vector<BagMessage> messages;
-    for (const std::size_t i : risingOrder(stamps)) {
-      rising.push_back(stamps[i]);
-      messages.push_back(topic.messages[i]);
-    }
-    topic.messages = std::move(messages);
-    return rising;
   }
 
   void
   pair(std::size_t every)
   {
     constexpr double max_gap = 0.02; // seconds, as for folders
-    const std::vector<double> depth_stamps = sortByStamps(depth_),
-                              color_stamps = sortByStamps(color_);
+    const std::vector<double> depth_stamps = topics_.sortByStamps(depth_),
+                              color_stamps = topics_.sortByStamps(color_);
     const auto pairs = matchStamps(depth_stamps, color_stamps, max_gap);
     if (pairs.empty())
-      fail("no image of " + color_.name + " was taken within 20 ms of one of " +
-           depth_.name);
+      topics_.fail("no image of " + color_.name + " was taken within 20 ms of one of " +
+                   depth_.name);
     if (pairs.size() < depth_stamps.size())
-      remark(std::to_string(depth_stamps.size() - pairs.size()) +
-             " depth images left out: no colour image was taken near them");
+      topics_.remark(std::to_string(depth_stamps.size() - pairs.size()) +
+                     " depth images left out: no colour image was taken near them");
     for (std::size_t i = 0; i < pairs.size(); i += every)
       observations_.push_back({depth_.messages[pairs[i].first],
                                color_.messages[pairs[i].second],
@@ -380,81 +417,40 @@ private:
   }
 
   void
-  takeClouds(std::size_t every)
+  takeClouds(const BagTopic& clouds, std::size_t every)
   {
-    const BagTopic* most = nullptr;
-    std::size_t topics = 0;
-    for (const auto& [name, topic] : topics_) {
-      if (typeIn("sensor_msgs", topic.type) != "PointCloud2")
-        continue;
-      ++topics;
-      if (!most || topic.messages.size() > most->messages.size())
-        most = &topic;
-    }
-    if (!most)
-      fail("has neither depth images with colour images nor PointCloud2 among its " +
-           std::to_string(topics_.size()) + " topics of CDR");
-    depth_ = *most;
-    if (topics > 1)
-      remark("took clouds of " + depth_.name);
-    const std::vector<double> stamps = sortByStamps(depth_);
-    frame_ =
-        readRosHeader(bag_.load(depth_.messages.front()), placeOf(depth_.name)).frame;
-    if (!endsWith(frame_, "optical_frame") && !endsWith(frame_, "optical"))
+    depth_ = clouds;
+    if (topics_.ofType(cloud_type).size() > 1)
+      topics_.remark("took clouds of " + depth_.name);
+    const std::vector<double> stamps = topics_.sortByStamps(depth_);
+    frame_ = topics_.read(depth_, depth_.messages.front(), readRosHeader).frame;
+    if (!isOpticalFrame(frame_))
       T_camera_frame_ = cameraOfBody();
     for (std::size_t i = 0; i < stamps.size(); i += every)
       observations_.push_back(
           {depth_.messages[i], std::nullopt, stamps[i], Eigen::Isometry3d::Identity()});
   }
 
-  /** \brief Takes the poses of another topic as those of the sensor, if none is known by
-   * its frame. */
   void
-  takeOtherPoses()
+  takePoses(const BagSettings& settings)
   {
-    const BagTopic* most = nullptr;
-    for (const char* type : {"PoseStamped", "Odometry"})
-      for (const auto& [name, topic] : topics_)
-        if ((typeIn("geometry_msgs", topic.type) == type ||
-             typeIn("nav_msgs", topic.type) == type) &&
-            (!most || topic.messages.size() > most->messages.size()))
-          most = &topic;
-    if (!most)
-      return;
-    const std::string root = tree_.rootOf(frame_);
-    for (const BagMessage& message : most->messages) {
-      const std::string bytes = bag_.load(message);
-      RosTransform pose = typeIn("nav_msgs", most->type) == "Odometry"
-                              ? readRosOdometry(bytes, placeOf(most->name))
-                              : readRosPose(bytes, placeOf(most->name));
-      pose.child = root;
-      if (pose.header.frame == root)
-        pose.header.frame += " of poses";
-      tree_.add(pose, false);
-    }
-    remark("took the poses of " + most->name + " as those of " + root);
-  }
-
-  void
-  takePoses()
-  {
-    if (!tree_.moves(frame_))
-      takeOtherPoses();
-    if (!tree_.moves(frame_))
+    const bool is_camera = depth_.type != cloud_type || isOpticalFrame(frame_);
+    if (!connectSensor(topics_, frame_, is_camera, settings))
       return;
     const Eigen::Isometry3d T_frame_camera =
         cameras_.color ? cameras_.color->T_depth_color : T_camera_frame_.inverse();
     std::vector<BagObservation> posed;
     for (BagObservation& observation : observations_)
-      if (const auto T_root_frame = tree_.poseInRoot(frame_, observation.stamp)) {
+      if (const auto T_root_frame =
+              topics_.tree().poseInRoot(frame_, observation.stamp)) {
         observation.T_map_camera = *T_root_frame * T_frame_camera;
         posed.push_back(std::move(observation));
       }
     if (posed.empty())
-      fail("has no pose of " + frame_ + " at the times of its observations");
+      topics_.fail("has no pose of " + frame_ + " at the times of its observations");
     if (posed.size() < observations_.size())
-      remark(std::to_string(observations_.size() - posed.size()) +
-             " observations left out: no pose is known near them");
+      topics_.remark(std::to_string(observations_.size() - posed.size()) +
+                     " observations left out: no pose is known near them");
     observations_ = std::move(posed);
     const Eigen::Isometry3d T_first_root = observations_.front().T_map_camera.inverse();
     for (BagObservation& observation : observations_)
@@ -468,7 +464,7 @@ private:
   requireSize(const Image& image, const ImageSize& size, const BagTopic& topic) const
   {
     if (image.width != size.width || image.height != size.height)
-      throw InputFileException(placeOf(topic.name) + ": has an image of " +
+      throw InputFileException(topics_.placeOf(topic) + ": has an image of " +
                                sizeText(image) + " pixels, the first one has " +
                                sizeText(size) + " pixels");
   }
@@ -476,11 +472,12 @@ private:
   PCLPointCloud2
   imagesAsCloud(const BagObservation& seen) const
   {
-    const auto load = [&](const BagTopic& topic, const BagMessage& message) {
-      return loadImage(typeIn("sensor_msgs", topic.type), topic.name, message);
-    };
-    const DepthImage depth = depthsOf(load(depth_, seen.depth), placeOf(depth_.name));
-    const RgbImage color = colorsOf(load(color_, *seen.color), placeOf(color_.name));
+    DepthImage depth = depthsOf(loadImage(depth_, seen.depth), topics_.placeOf(depth_));
+    if (depth_unit_ != 1)
+      for (float& metres : depth.metres)
+        metres *= static_cast<float>(depth_unit_);
+    const RgbImage color =
+        colorsOf(loadImage(color_, *seen.color), topics_.placeOf(color_));
     requireSize(depth, depth_size_, depth_);
     requireSize(color, color_size_, color_);
     return makeRgbdObservation(
@@ -491,23 +488,22 @@ private:
   PCLPointCloud2
   loadCloud(const BagObservation& seen) const
   {
-    RosCloud read = readRosCloud(bag_.load(seen.depth), placeOf(depth_.name));
+    RosCloud read = topics_.read(depth_, seen.depth, readRosCloud);
     if (!T_camera_frame_.matrix().isIdentity(0))
       turnCloud(T_camera_frame_.linear().cast<float>(), read.cloud);
     return std::move(read.cloud);
   }
 
-  BagFile bag_;
-  std::map<std::string, BagTopic> topics_; ///< those of CDR, by name
-  FrameTree tree_;
-  BagTopic depth_, color_; ///< those that are taken; depth: or of clouds
-  std::string frame_;      ///< of depths or clouds
+  BagTopics topics_;
+  std::vector<std::string> unused_; ///< why topics of images are not taken
+  BagTopic depth_, color_;          ///< those that are taken; depth: or of clouds
+  std::string frame_;               ///< of depths or clouds
   Eigen::Isometry3d T_camera_frame_ = Eigen::Isometry3d::Identity(); ///< of clouds
   RgbdCameras cameras_;
   ImageSize depth_size_, color_size_;
   std::vector<BagObservation> observations_;
+  double depth_unit_ = 1; ///< millimetres, of depths that are integers
   bool has_poses_ = false;
-  std::vector<std::string> remarks_;
 };
 
 } // namespace
@@ -515,11 +511,11 @@ private:
 } // namespace acmap
 
 std::shared_ptr<const ObservationSource>
-openBag(const std::string& path, std::size_t every)
+openBag(const std::string& path, const BagSettings& settings)
 {
-  if (every == 0)
-    acmap::refuseArgument("every", every, "at least 1");
-  return std::make_shared<acmap::BagSource>(path, every);
+  if (settings.every == 0)
+    acmap::refuseArgument("every", settings.every, "at least 1");
+  return std::make_shared<acmap::BagSource>(path, settings);
 }
 
 } // namespace pcl

@@ -25,13 +25,32 @@ public:
   bool
   hasParent(const std::string& frame) const;
 
+  /** \brief Says that an odometry tells the pose of a frame, which may stand still. */
+  void
+  setTracked(const std::string& frame);
+
   /** \brief The uppermost frame above a frame; the frame itself if there is none. */
   std::string
   rootOf(const std::string& frame) const;
 
-  /** \brief Does a frame move in its root? */
+  /** \brief Does a frame move in its root? Frames of fixed mountings, which ROS 1 repeats
+   * among those that move, do not. */
   bool
   moves(const std::string& frame) const;
+
+  /** \brief The frame outside of a tree whose place in its parent changes most, as that of a
+   * robot's base; wheels only turn. Empty if there is none.
+   * \param[in] root of the tree */
+  std::string
+  trackedFrame(const std::string& root) const;
+
+  /** \brief Number of the poses of a frame in its parent. */
+  std::size_t
+  posesOf(const std::string& frame) const;
+
+  /** \brief All frames with their parents, for messages. */
+  std::string
+  list() const;
 
   /** \brief Pose of a frame in its root at a time; nothing if it is not known near it. */
   std::optional<Eigen::Isometry3d>
@@ -46,9 +65,22 @@ private:
   struct Edge {
     std::string parent;
     bool is_fixed = false;
-    Trajectory poses;                       ///< T_parent_child; one if it is fixed
-    mutable std::optional<CameraPath> path; ///< made when it is needed
+    bool is_tracked = false;                  ///< by an odometry
+    Trajectory poses;                         ///< T_parent_child; one if it is fixed
+    Eigen::AlignedBox3d places = {};          ///< of the poses
+    bool is_constant = true;                  ///< are all poses the same?
+    mutable std::optional<CameraPath> path{}; ///< made when it is needed
+
+    bool
+    moves() const
+    {
+      return !is_fixed && (is_tracked || !is_constant);
+    }
   };
+
+  /** \brief Pose in the parent at a time; nothing if it is not known near it. */
+  static std::optional<Eigen::Isometry3d>
+  poseAt(const Edge& edge, double stamp);
 
   /** \brief A frame above another one, with the other's pose in it. */
   struct Ancestor {

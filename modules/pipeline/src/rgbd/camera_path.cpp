@@ -1,6 +1,7 @@
 #include "rgbd/camera_path.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace pcl::acmap {
@@ -16,8 +17,9 @@ risingOrder(const std::vector<double>& stamps)
   return order;
 }
 
-CameraPath::CameraPath(const Trajectory& trajectory, double gap)
+CameraPath::CameraPath(const Trajectory& trajectory, double gap, double gap_alone)
 : gap_(gap)
+, gap_alone_(gap_alone)
 {
   for (const std::size_t i : risingOrder(trajectory.stamps)) {
     stamps_.push_back(trajectory.stamps[i]);
@@ -30,13 +32,14 @@ CameraPath::at(double stamp) const
 {
   const auto next = std::lower_bound(stamps_.begin(), stamps_.end(), stamp);
   const auto after = static_cast<std::size_t>(next - stamps_.begin());
-  const bool has_after = next != stamps_.end() && *next - stamp <= gap_;
-  const bool has_before = after > 0 && stamp - stamps_[after - 1] <= gap_;
-  if (has_before && has_after)
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double to_next = next != stamps_.end() ? *next - stamp : infinity;
+  const double to_last = after > 0 ? stamp - stamps_[after - 1] : infinity;
+  if (to_next <= gap_ && to_last <= gap_)
     return between(after, stamp);
-  if (has_after)
+  if (to_next <= gap_alone_)
     return poses_[after];
-  if (has_before)
+  if (to_last <= gap_alone_)
     return poses_[after - 1];
   return {};
 }

@@ -18,8 +18,13 @@ risingOrder(const std::vector<double>& stamps);
  * time. */
 class CameraPath {
 public:
-  /** \param[in] gap seconds */
-  CameraPath(const Trajectory& trajectory, double gap);
+  /** \param[in] gap seconds between a time and the poses before and after it
+   * \param[in] gap_alone seconds to a pose, if the other one is missing */
+  CameraPath(const Trajectory& trajectory, double gap, double gap_alone);
+
+  CameraPath(const Trajectory& trajectory, double gap)
+  : CameraPath(trajectory, gap, gap)
+  {}
 
   /** \brief Interpolates between the poses before and after if both are close enough,
    * otherwise returns the close one of them. */
@@ -30,7 +35,7 @@ private:
   Eigen::Isometry3d
   between(std::size_t after, double stamp) const;
 
-  double gap_;
+  double gap_, gap_alone_;
   std::vector<double> stamps_;
   std::vector<Eigen::Isometry3d> poses_;
 };

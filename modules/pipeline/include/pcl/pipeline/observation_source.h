@@ -4,6 +4,7 @@
 #include <pcl/core/export.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/trajectory.h>
+#include <pcl/pipeline/bag_settings.h>
 
 #include <Eigen/Core>
 
@@ -72,19 +73,20 @@ public:
 ACMAP_EXPORT std::shared_ptr<const ObservationSource>
 openScans(const std::string& path);
 
-/** \brief The observations of a bag of ROS 2 in the format MCAP (\ref BagFile): of RGB-D
- * images with their CameraInfo, or of PointCloud2. Of several topics of a kind the one with
- * most messages is taken.
+/** \brief The observations of a bag of ROS 1 or ROS 2 (\ref BagFile): of RGB-D images with
+ * their CameraInfo, or of PointCloud2. Of several topics of a kind the one with most messages
+ * is taken; of depths, those that are registered to colours.
  *
  * Poses are those of the tree of transforms (tf, tf_static, Odometry, else PoseStamped) at
  * the times of the observations, relative to the first one; those without a pose are left
  * out. Without any pose of a frame that moves, there are none. Clouds in a frame of a body
  * (x ahead, z up) are turned to that of a camera.
- * \param[in] every take each n-th observation only, at least 1
  * \throws InputFileException as \ref BagFile; if there are no images of depth with colour
- * and camera and no clouds, or a message is malformed
- * \throws BadArgumentException if every is 0 \ingroup pipeline */
+ * and camera and no clouds, a message is malformed, or the place of a camera on what moves is
+ * neither in the bag nor in the settings
+ * \throws BadArgumentException if BagSettings::every is 0, or the place of the sensor is
+ * stated and the bag has it \ingroup pipeline */
 ACMAP_EXPORT std::shared_ptr<const ObservationSource>
-openBag(const std::string& path, std::size_t every = 1);
+openBag(const std::string& path, const BagSettings& settings = {});
 
 } // namespace pcl
