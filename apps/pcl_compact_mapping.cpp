@@ -60,8 +60,8 @@ void
 run(Tool& tool, const ChainOptions& options)
 {
   checkPlaces(options);
-  const MapInput input =
-      openObservations(options.input, options.bag, options.texture.skip_broken);
+  const MapInput input = openObservations(
+      options.input, options.bag, options.texture.skip_broken, options.rgbd);
   requireSense(tool, options, input.start);
   const PicturesApart pictures(options.has_pictures, tool.log());
   OutputFolder folder(options.output);

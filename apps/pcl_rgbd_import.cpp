@@ -1,9 +1,8 @@
 #include "command_line.h"
 #include "output_target.h"
+#include "rgbd_import/rgbd_options.h"
 #include "tool.h"
 
-#include <pcl/core/calibration_file.h>
-#include <pcl/core/image_file.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/trajectory.h>
@@ -27,20 +26,12 @@ namespace pcl::acmap {
 namespace {
 
 /** \brief Options of the user. */
-struct ImportOptions {
+struct ImportOptions : RgbdOptions {
   std::string input;
   std::string output;
-  bool no_poses = false;
   bool skip_broken = false;
-  std::string intrinsics;
-  std::string color_camera;
-  bool is_registered = false;
-  std::optional<double> fx, fy, cx, cy; ///< pixels
-  std::optional<double> depth_scale;    ///< number in a depth image that is one metre
-  double max_depth = 0.0;               ///< metres; 0 for no limit
   DepthSensor sensor = DepthSensor::Automatic;
   std::size_t every = 1;
-  double max_stamp_gap = RgbdSequenceSettings().max_stamp_gap; ///< seconds
 };
 
 /** \brief Results so far. */
@@ -50,6 +41,7 @@ struct RgbdImport {
   RgbdImageSizes sizes;    ///< of the images of all frames
   std::size_t empty = 0;   ///< observations without a point
   std::size_t refined = 0; ///< observations whose depth was quantised
+  ImageSize size;          ///< of the observations
   /** \brief Histogram of the numbers in the depth images over all points. */
   std::vector<std::uint64_t> depths = std::vector<std::uint64_t>(65536);
   std::vector<std::string> broken; ///< reasons why frames were left out
@@ -72,158 +64,35 @@ struct RgbdImport {
   }
 };
 
-/** \brief Adds an option for a finite number above zero, in a range for which points
- * are finite. */
-template <typename Value>
-CLI::Option*
-addPositive(CLI::App& app,
-            const std::string& name,
-            Value& value,
-            const std::string& type,
-            const std::string& purpose)
-{
-  return app.add_option(name, value, purpose)
-      ->type_name(type)
-      ->check(numberWithin(1e-6, 1e6).description(""));
-}
-
-void
-addCameras(CLI::App& app, ImportOptions& options)
-{
-  app.add_option("--intrinsics",
-                 options.intrinsics,
-                 "The depth camera: a matrix as text, a rig.yaml, or a calibration by "
-                 "Open3D, ROS, OpenCV, Kalibr, ORB-SLAM and others "
-                 "[default: the folder's, or its layout's]")
-      ->type_name("FILE");
-  auto* const fx = addPositive(app,
-                               "--fx",
-                               options.fx,
-                               "PX",
-                               "Focal length across in pixels, instead of the above");
-  addPositive(app, "--fy", options.fy, "PX", "Focal length down [default: --fx]")
-      ->needs(fx);
-  addPositive(app, "--cx", options.cx, "PX", "Column of the principal point");
-  addPositive(app, "--cy", options.cy, "PX", "Row of the principal point");
-  addPositive(app,
-              "--depth-scale",
-              options.depth_scale,
-              "N",
-              "Numbers of a depth image in a metre [default: 5000 for TUM, 1000 for "
-              "7-Scenes and Open3D]");
-  addPositive(app,
-              "--max-depth",
-              options.max_depth,
-              "M",
-              "Leave out points farther than this, metres [default: none]")
-      ->default_str("");
-  auto* const file =
-      app.add_option("--color-camera",
-                     options.color_camera,
-                     "The camera that saw the colours, where that is another one: YAML "
-                     "with its pinhole and its pose [default: 7-Scenes' for 7-Scenes' "
-                     "Kinect, else none]");
-  file->type_name("FILE");
-  app.add_flag("--registered",
-               options.is_registered,
-               "Colour and depth images show the same, pixel by pixel, as TUM's do")
-      ->excludes(file);
-}
-
 void
 addOptions(Tool& tool, ImportOptions& options)
 {
   CLI::App& app = tool.options();
-  app.add_option("input",
-                 options.input,
-                 "RGB-D folder: rgb.txt, depth.txt, groundtruth.txt as of TUM; "
-                 "frame-000000.color.jpg, .depth.png, .pose.txt as of 7-Scenes; or "
-                 "folders color and depth, camera_intrinsic.json, trajectory.log as of "
-                 "Open3D")
+  app.add_option(
+         "input",
+         options.input,
+         "RGB-D folder: rgb.txt, depth.txt, groundtruth.txt as of TUM; "
+         "associations.txt as of ORB-SLAM; frame-000000.color.jpg, .depth.png, "
+         ".pose.txt as of 7-Scenes; folders color, depth, pose, intrinsic as of "
+         "ScanNet; results, traj.txt as of Replica; depth, odometry.csv as of "
+         "StrayScanner; metadata.json as of Record3D; or folders color and "
+         "depth, camera_intrinsic.json, trajectory.log as of Open3D")
       ->type_name("DIR")
       ->required();
   app.add_option("-o,--output", options.output, "Folder for the observations")
       ->type_name("OBS_DIR")
       ->required();
-  app.add_flag("--no-poses", options.no_poses, "Leave poses out, known or not");
+  addNoPoses(app, options);
   app.add_flag("--skip-broken",
                options.skip_broken,
                "Leave out frames with a missing or damaged file instead of giving up");
-  addCameras(app, options);
+  addRgbdCameras(app, options);
+  addMaxDepth(app, options);
   tool.addSensor(options.sensor);
   app.add_option("--every", options.every, "Take only each Nth frame")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
-  addPositive(app,
-              "--max-stamp-gap",
-              options.max_stamp_gap,
-              "S",
-              "Seconds between what TUM's lists have of one moment, at most");
-}
-
-/** \brief Settings for reading the folder. */
-RgbdSequenceSettings
-settingsOf(const ImportOptions& options)
-{
-  RgbdSequenceSettings settings;
-  settings.has_poses = !options.no_poses;
-  settings.max_stamp_gap = options.max_stamp_gap;
-  settings.has_camera =
-      !options.intrinsics.empty() || (options.fx && options.cx && options.cy);
-  return settings;
-}
-
-/** \brief Size of the first depth image that can be read. */
-ImageSize
-depthSizeOf(const ImportOptions& options, const RgbdSequence& sequence)
-{
-  for (std::size_t i = 0;; ++i)
-    try {
-      const GrayImage16 image = loadGrayImage16(sequence.frames.at(i).depth);
-      return {image.width, image.height};
-    }
-    catch (const InputFileException&) {
-      if (!options.skip_broken || i + 1 >= sequence.frames.size())
-        throw;
-    }
-}
-
-/** \brief The depth camera of the user's file, for images of the folder's size. */
-Pinhole
-loadDepthCamera(const ImportOptions& options,
-                const RgbdSequence& sequence,
-                StageLog& log)
-{
-  const CalibratedPinhole camera = loadCameraPinhole(options.intrinsics);
-  const ImageSize size = depthSizeOf(options, sequence);
-  const bool is_scaled = camera.width != 0 && camera.width != size.width;
-  log.tell("intrinsics",
-           camera.told +
-               (is_scaled ? ", scaled from " + sizeText(camera) + " pixels" : ""));
-  return fittedPinhole(camera, size.width, size.height, options.intrinsics);
-}
-
-/** \brief The cameras of the user, otherwise those of the folder; no colour camera if
- * colours have the pixels of the depth camera. */
-RgbdCameras
-camerasOf(const ImportOptions& options, const RgbdSequence& sequence, StageLog& log)
-{
-  Pinhole depth = options.intrinsics.empty() ? sequence.camera
-                                             : loadDepthCamera(options, sequence, log);
-  if (options.fx)
-    depth.fx = depth.fy = *options.fx;
-  depth.fy = options.fy.value_or(depth.fy);
-  depth.cx = options.cx.value_or(depth.cx);
-  depth.cy = options.cy.value_or(depth.cy);
-  std::optional<ColorCamera> color = sequence.color_camera;
-  if (options.is_registered)
-    color.reset();
-  else if (!options.color_camera.empty())
-    color = loadColorCamera(options.color_camera);
-  return {depth,
-          color,
-          {options.depth_scale.value_or(sequence.depth_scale), options.max_depth},
-          options.sensor};
+  addStampGap(app, options);
 }
 
 /** \brief Pose in the map, which is the frame of the first written camera. */
@@ -275,6 +144,8 @@ importFrame(const RgbdFrame& frame,
   countDepths(observation.cloud, cameras.meaning.scale, import);
   import.refined += observation.is_refined ? 1 : 0;
   import.sizes = observation.sizes;
+  import.size = {static_cast<std::int32_t>(observation.cloud.width),
+                 static_cast<std::int32_t>(observation.cloud.height)};
   return {std::make_shared<PCLPointCloud2>(std::move(observation.cloud)),
           T_map_camera,
           frame.stamp};
@@ -282,7 +153,7 @@ importFrame(const RgbdFrame& frame,
 
 void
 importFrames(const ImportOptions& options,
-             const std::vector<RgbdFrame>& frames,
+             const RgbdSequence& sequence,
              const RgbdCameras& cameras,
              const OutputFolder& folder,
              const RunControls& controls,
@@ -290,8 +161,8 @@ importFrames(const ImportOptions& options,
 {
   const auto convert = [&](std::size_t i) -> std::optional<ObservationToWrite> {
     try {
-      return importFrame(frames[i * options.every],
-                         !options.no_poses,
+      return importFrame(sequence.frames[i * options.every],
+                         sequence.has_poses,
                          cameras,
                          controls.threads,
                          import);
@@ -303,7 +174,8 @@ importFrames(const ImportOptions& options,
       return {};
     }
   };
-  const std::size_t count = (frames.size() + options.every - 1) / options.every;
+  const std::size_t count =
+      (sequence.frames.size() + options.every - 1) / options.every;
   import.trajectory =
       writeObservations(folder, count, convert, {controls.progress, "importing"});
 }
@@ -329,7 +201,7 @@ warnOfCameras(const ImportOptions& options,
               const RgbdImport& import,
               StageLog& log)
 {
-  log.warn(sequence.remarks);
+  log.warn(rgbdRemarks(options, sequence, cameras));
   warnOfCenter("camera", cameras.depth, import.sizes.depth, "--intrinsics", log);
   if (cameras.color)
     warnOfCenter("colour camera",
@@ -337,22 +209,13 @@ warnOfCameras(const ImportOptions& options,
                  import.sizes.color,
                  "--color-camera",
                  log);
-  else if (!sequence.is_registered && !options.is_registered)
-    log.warn("the camera of the colours is not known: took them pixel by pixel as the "
-             "depths; --color-camera names it, --registered says that this is right");
 }
 
-/** Warns of lengths that exceed rooms, since the unit of the numbers is then probably
- * wrong. */
+/** Warns of poses that exceed buildings, since their unit is then probably wrong. */
 void
-warnOfLengths(const RgbdCameras& cameras, const RgbdImport& import, StageLog& log)
+warnOfLengths(const RgbdImport& import, StageLog& log)
 {
-  constexpr double farthest_depth = 100, farthest_pose = 1000;
-  const double depth = import.medianDepth() / cameras.meaning.scale;
-  if (depth > farthest_depth)
-    log.warn("half of the points are farther than " + shortNumber(depth) +
-             " m: are there " + shortNumber(cameras.meaning.scale) +
-             " of the depth images' numbers in a metre? --depth-scale tells");
+  constexpr double farthest_pose = 1000;
   double pose = 0;
   for (const Eigen::Isometry3d& T_map_camera : import.trajectory.poses)
     pose = std::max(pose, T_map_camera.translation().norm());
@@ -362,16 +225,10 @@ warnOfLengths(const RgbdCameras& cameras, const RgbdImport& import, StageLog& lo
 }
 
 void
-warnOfFrames(const RgbdSequence& sequence, const RgbdImport& import, StageLog& log)
+warnOfFrames(const RgbdImport& import, StageLog& log)
 {
-  const auto count = [&](std::size_t frames, const std::string& fault) {
-    if (frames > 0)
-      log.warn(std::to_string(frames) + fault);
-  };
-  count(sequence.unmatched,
-        " depth images left out: no colour image was taken near them");
-  count(sequence.unposed, " frames left out: no pose is known near them");
-  count(import.empty, " observations have no point at all");
+  if (import.empty > 0)
+    log.warn(std::to_string(import.empty) + " observations have no point at all");
   constexpr std::size_t max_named = 5; // the report names them all
   for (std::size_t i = 0; i < std::min(max_named, import.broken.size()); ++i)
     log.warn("left out: " + import.broken[i]);
@@ -382,11 +239,13 @@ warnOfFrames(const RgbdSequence& sequence, const RgbdImport& import, StageLog& l
 
 /** \brief Source of the colour camera's parameters. */
 std::string
-colorCameraText(const ImportOptions& options, const RgbdCameras& cameras)
+colorCameraText(const ImportOptions& options,
+                const RgbdCameras& cameras,
+                const std::string& layout)
 {
   if (!cameras.color)
     return "none";
-  return options.color_camera.empty() ? "7-Scenes" : options.color_camera;
+  return options.color_camera.empty() ? layout : options.color_camera;
 }
 
 void
@@ -398,28 +257,32 @@ tellResults(const ImportOptions& options,
 {
   const std::size_t observations = import.trajectory.poses.size();
   const std::uint64_t points = import.points();
-  const double pixels = static_cast<double>(observations) * import.sizes.color.width *
-                        import.sizes.color.height;
+  const double pixels =
+      static_cast<double>(observations) * import.size.width * import.size.height;
   const double share = static_cast<double>(points) / pixels;
   const double median = import.medianDepth() / cameras.meaning.scale;
-  const std::string colors = colorCameraText(options, cameras);
+  const std::string colors = colorCameraText(options, cameras, sequence.layout);
   log.details = {{"input", options.input},
                  {"output", options.output},
                  {"layout", sequence.layout},
                  {"observations", observations},
-                 {"width", import.sizes.color.width},
-                 {"height", import.sizes.color.height},
+                 {"width", import.size.width},
+                 {"height", import.size.height},
                  {"color_camera", colors},
                  {"points", points},
                  {"refined", import.refined},
                  {"finite_share", share},
                  {"median_depth", median},
-                 {"has_poses", !options.no_poses},
+                 {"depth_scale", cameras.meaning.scale},
+                 {"has_poses", sequence.has_poses},
                  {"unmatched", sequence.unmatched},
                  {"unposed", sequence.unposed},
                  {"broken", import.broken}};
   log.tell("layout", sequence.layout);
   log.tell("colour camera", colors);
+  if (const std::string text = intrinsicsText(options, sequence); !text.empty())
+    log.tell("intrinsics", text);
+  log.tell("depth scale", depthScaleText(options, sequence, cameras));
   log.tell("observations", std::to_string(observations));
   log.tell("points", std::to_string(points));
   log.tell("finite", shortNumber(100.0 * share) + " % of the pixels");
@@ -452,7 +315,7 @@ convert(const ImportOptions& options,
 {
   StepTimer timer(log.report);
   RgbdImport import;
-  importFrames(options, sequence.frames, cameras, folder, controls, import);
+  importFrames(options, sequence, cameras, folder, controls, import);
   if (import.trajectory.poses.empty())
     throw NothingFound(options.input +
                        ": no frame is whole, the first: " + import.broken.front());
@@ -460,14 +323,14 @@ convert(const ImportOptions& options,
     throw NothingFound(options.input + ": no depth image has a point in reach");
   timer.finish("import");
 
-  if (!options.no_poses)
+  if (sequence.has_poses)
     saveTrajectory(folder.path(trajectory_name), import.trajectory);
   stopIfInterrupted();
   folder.commit();
   timer.finish("write");
   warnOfCameras(options, sequence, cameras, import, log);
-  warnOfLengths(cameras, import, log);
-  warnOfFrames(sequence, import, log);
+  warnOfLengths(import, log);
+  warnOfFrames(import, log);
   tellResults(options, sequence, cameras, import, log);
 }
 
@@ -488,7 +351,7 @@ main(int argc, char** argv)
     StepTimer timer(log.report);
     const pcl::RgbdSequence sequence =
         openRgbdSequence(options.input, settingsOf(options));
-    const pcl::RgbdCameras cameras = camerasOf(options, sequence, log);
+    const pcl::RgbdCameras cameras = camerasOf(options, sequence, options.sensor);
     OutputFolder folder(options.output);
     checkPlaces(tool, options, folder);
     timer.finish("list");

@@ -53,6 +53,10 @@ kindOfFolder(const fs::path& folder)
     return InputKind::RgbdFolder;
   if (BagFile::isBag(folder.string()))
     return InputKind::Bag;
+  if (count(".ply") + count(".las") + count(".e57") + count(".xyz") + count(".bin") >
+          0 ||
+      has("velodyne"))
+    return InputKind::Observations;
   return count(".png") + count(".jpg") + count(".jpeg") + count(".pgm") +
                      count(".ppm") >
                  0
@@ -113,8 +117,9 @@ toolsForInputs()
 {
   static const std::map<InputKind, ToolsForInput> tools = {
       {InputKind::RgbdFolder,
-       {{"pcl_rgbd_import input"},
-        "% is an RGB-D recording: first run pcl_rgbd_import % -o observations"}},
+       {{"pcl_compact_mapping input", "pcl_rgbd_import input"},
+        "% is an RGB-D recording: run pcl_compact_mapping % -o map for a map, or first "
+        "pcl_rgbd_import % -o observations"}},
       {InputKind::RawSession,
        {{"pcl_active_stereo session",
          "pcl_compact_mapping input",

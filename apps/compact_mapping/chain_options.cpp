@@ -1,6 +1,7 @@
 #include "chain_options.h"
 
 #include "input_kind.h"
+#include "output_target.h"
 #include "reading_options.h"
 
 #include <CLI/CLI.hpp>
@@ -45,11 +46,16 @@ addSequenceOptions(Tool& tool, ChainOptions& options)
                    "each, in place of egomotion")
         ->type_name("TRAJECTORY.txt");
   });
-  inGroup(tool, bag_group, [&] {
+  inGroup(tool, recording_group, [&] {
     app.add_option("--every", options.bag.every, "Take only each Nth image or cloud")
         ->type_name("N")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
-    addSensorPose(app, options.bag);
+  });
+  inGroup(tool, bag_group, [&] { addSensorPose(app, options.bag); });
+  inGroup(tool, rgbd_group, [&] {
+    addNoPoses(app, options.rgbd);
+    addRgbdCameras(app, options.rgbd);
+    addStampGap(app, options.rgbd);
   });
   inGroup(tool, egomotion_group, [&] { addMotionChoices(app, options.egomotion); });
   app.get_option("--6dof")
@@ -124,12 +130,14 @@ void
 addOptions(Tool& tool, ChainOptions& options)
 {
   CLI::App& app = tool.options();
-  app.add_option(
-         "input",
-         options.input,
-         "Raw session, folder of observation PCDs with or without poses, E57 file of "
-         "several scans, bag of ROS (.mcap, .db3, .bag, or the folder of a recording), "
-         "or one cloud (.pcd, .ply, .obj, .xyz, .las, .e57)")
+  app.add_option("input",
+                 options.input,
+                 "Raw session, folder of observations (.pcd, .ply or others, with "
+                 "trajectory.txt or poses.txt if there are poses), E57 file of several "
+                 "scans, bag "
+                 "of ROS (.mcap, .db3, .bag, or the folder of a recording), RGB-D "
+                 "folder, or one "
+                 "cloud (.pcd, .ply, .obj, .xyz, .las, .e57)")
       ->type_name("INPUT")
       ->required();
   app.add_option("-o,--output", options.output, "Folder for the compact map")
@@ -181,8 +189,13 @@ requireSense(Tool& tool, const ChainOptions& options, StartingPoint start)
       (start == StartingPoint::Cloud ? "one cloud" : nameOf(start));
   if (start != StartingPoint::Session)
     refuseGroup(tool, stereo_group, "is for raw sessions, and " + what);
-  if (inputKindOf(options.input) != InputKind::Bag)
+  const InputKind kind = inputKindOf(options.input);
+  if (kind != InputKind::Bag && kind != InputKind::RgbdFolder)
+    refuseGroup(tool, recording_group, "is for bags and RGB-D folders, and " + what);
+  if (kind != InputKind::Bag)
     refuseGroup(tool, bag_group, "is for bags, and " + what);
+  if (kind != InputKind::RgbdFolder)
+    refuseGroup(tool, rgbd_group, "is for RGB-D folders, and " + what);
   if (start == StartingPoint::PosedObservations || start == StartingPoint::Cloud)
     refuseGroup(
         tool, egomotion_group, "is for observations without poses, and " + what);

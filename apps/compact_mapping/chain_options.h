@@ -4,6 +4,7 @@
 #include "entropy_rectification/rectification_options.h"
 #include "open_observations.h"
 #include "plane_extraction/extraction.h"
+#include "rgbd_import/rgbd_options.h"
 #include "texturing/texture_stage.h"
 #include "visual_egomotion/egomotion_options.h"
 
@@ -28,13 +29,14 @@ struct ChainOptions {
   /** \brief Endings of those of map.html, map.ifc and the floor plans that are written. */
   std::vector<std::string> formats = {"html", "ifc", "svg", "dxf", "geojson"};
   bool rectifies = true;
-  BagSettings bag;              ///< how a bag is read
+  BagSettings bag;              ///< how a bag is read, and which frames of it
   bool as_recorded = false;     ///< replay a session at its pace, and map it meanwhile
   bool live = false;            ///< show the map of the replay so far
   std::shared_ptr<Ranks> ranks; ///< processes that make the map; null: this one alone
   /** \brief Maximum for the merged cloud, before it is consolidated. */
   std::size_t max_points = 2000000000;
   StereoOptions stereo;
+  RgbdOptions rgbd;
   EgomotionOptions egomotion;
   RectificationOptions rectification;
   PlaneOptions planes;
@@ -43,7 +45,9 @@ struct ChainOptions {
 
 /** \brief Titles of the option groups of the stages in the help. */
 constexpr const char* stereo_group = "Stereo, for a raw session";
+constexpr const char* recording_group = "Bag of ROS, or RGB-D folder";
 constexpr const char* bag_group = "Bag of ROS";
+constexpr const char* rgbd_group = "RGB-D folder";
 constexpr const char* egomotion_group = "Egomotion, for observations without poses";
 constexpr const char* motion_group = "Motion, for more than one observation";
 constexpr const char* rectification_group =

@@ -187,7 +187,9 @@ MapRun::observationStage(const MapInput& input)
     key.add("input",
             is_session ? stateOf(options_.input, filesIn(options_.input))
                        : input.recorded->fingerprint());
-    key.add("options", textOf(values_(is_session ? stereo_group : bag_group)));
+    key.add("options",
+            textOf(values_(is_session ? stereo_group : recording_group)) +
+                (is_session ? "" : textOf(values_(bag_group))));
     key.add("scale", controls_.reader.getScale());
     if (!options_.stereo.poses.empty())
       key.add("poses", stateOfFile(options_.stereo.poses));

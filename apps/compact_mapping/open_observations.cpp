@@ -31,9 +31,24 @@ scansOf(const std::string& path)
   }
 }
 
-std::optional<ObservationSequence>
-openRecording(const std::string& path, const BagSettings& bag)
+ObservationSequence
+openRgbd(const std::string& path, std::size_t every, const RgbdOptions& options)
 {
+  RgbdSequence recorded = openRgbdSequence(path, settingsOf(options));
+  const RgbdCameras cameras = camerasOf(options, recorded);
+  recorded.remarks = rgbdRemarks(options, recorded, cameras);
+  std::vector<RgbdFrame> thinned;
+  for (std::size_t i = 0; i < recorded.frames.size(); i += every)
+    thinned.push_back(recorded.frames[i]);
+  recorded.frames = std::move(thinned);
+  return {recorded, cameras};
+}
+
+std::optional<ObservationSequence>
+openRecording(const std::string& path, const BagSettings& bag, const RgbdOptions& rgbd)
+{
+  if (inputKindOf(path) == InputKind::RgbdFolder)
+    return openRgbd(path, bag.every, rgbd);
   if (inputKindOf(path) == InputKind::Bag)
     return ObservationSequence(openBag(path, bag));
   if (endingOf(path) == ".e57" && scansOf(path) > 1)
@@ -49,6 +64,8 @@ hasPoses(const ObservationSequence& sequence, bool skip_broken)
   std::optional<Eigen::Matrix4d> first;
   std::size_t readable = 0;
   for (const std::string& path : sequence.paths()) {
+    if (endingOf(path) != ".pcd")
+      return false; // other formats have no VIEWPOINT
     try {
       const Eigen::Matrix4d pose = loadPcdViewpoint(path).matrix();
       ++readable;
@@ -82,12 +99,15 @@ nameOf(StartingPoint start)
 }
 
 MapInput
-openObservations(const std::string& path, const BagSettings& bag, bool skip_broken)
+openObservations(const std::string& path,
+                 const BagSettings& bag,
+                 bool skip_broken,
+                 const RgbdOptions& rgbd)
 {
   const auto observations = [](bool has_poses) {
     return has_poses ? StartingPoint::PosedObservations : StartingPoint::Observations;
   };
-  if (auto recorded = openRecording(path, bag)) {
+  if (auto recorded = openRecording(path, bag, rgbd)) {
     const StartingPoint start = observations(recorded->hasTrajectory());
     return {start, std::move(recorded)};
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rgbd_import/rgbd_options.h"
 #include "stage_log.h"
 
 #include <pcl/pipeline/bag_settings.h>
@@ -26,19 +27,24 @@ nameOf(StartingPoint start);
 /** \brief An input that was looked at. */
 struct MapInput {
   StartingPoint start = StartingPoint::Cloud;
-  /** \brief The observations of a recording: an E57 file of several scans, or a bag. */
+  /** \brief The observations of a file that has several, an E57 file of several scans or a
+   * bag of ROS, or those of an RGB-D folder. */
   std::optional<ObservationSequence> recorded;
 };
 
 /** \brief Determines the kind of an input from its files: a folder with a session.yaml
  * is a session; a folder of PCDs has poses when it has a trajectory.txt, or two
- * VIEWPOINTs that differ. A file of several observations is the same as a folder of them.
- * \param[in] bag how a bag is read
+ * VIEWPOINTs that differ. A file of several observations and an RGB-D folder are the same as
+ * a folder of them.
+ * \param[in] bag how a bag is read; an RGB-D folder takes each n-th frame, too
  * \param[in] skip_broken ignore PCDs that cannot be read
  * \throws InputFileException when it is another folder, or a bag or the header of a PCD
  * cannot be read */
 MapInput
-openObservations(const std::string& path, const BagSettings& bag, bool skip_broken);
+openObservations(const std::string& path,
+                 const BagSettings& bag,
+                 bool skip_broken,
+                 const RgbdOptions& rgbd = {});
 
 /** \brief Writes the observations of a file as a folder of PCDs, with trajectory.txt if
  * their poses are known, as a step of the chain. The detail `shift` is that of the

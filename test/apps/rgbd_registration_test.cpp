@@ -279,7 +279,7 @@ TEST_F(RgbdRegistration, SizesStayTheSame)
   writeTwoCameras(3);
   input_.write("frame-000020.depth.png", depthPngBytes(6, 8, tellingDepths(2)));
   expectRefused(runWith(colorCameraText()), 3, "frame-000020.depth.png: has 6 x 8");
-  expectRefused(run({"--registered"}), 3, "frame-000000.depth.png: has 8 x 6");
+  expectRefused(run({"--registered"}), 3, "frame-000020.depth.png: has 6 x 8");
 }
 
 TEST_F(RgbdRegistration, CameraThatLooksElsewhereSeesNoPoint)

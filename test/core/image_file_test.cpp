@@ -212,6 +212,20 @@ TEST_F(ImageFile, ReadsPgmAndPpm)
   EXPECT_THAT(rgbFault("P6 16384 16384 255 abc"), HasSubstr("is truncated"));
 }
 
+TEST_F(ImageFile, ReadsDepthsAsPgm)
+{
+  using Values = std::vector<std::uint16_t>;
+  const auto read = [&](const std::string& bytes) {
+    return loadGrayImage16(folder_.write("depth.pgm", bytes));
+  };
+  EXPECT_EQ(read("P5 2 1 65535 \x01\x02\x03\x04").values, (Values{0x102, 0x304}));
+  EXPECT_EQ(read("P5 1 2 255 ab").values, (Values{'a', 'b'}));
+  EXPECT_THAT(grayFault("P5 2 1 65535 abc"), HasSubstr("4 bytes, 3 follow"));
+  EXPECT_THAT(grayFault("P5 2 1 65536 abcd"), HasSubstr("brightest value"));
+  EXPECT_THAT(grayFault("P5 2 1 0 ab"), HasSubstr("brightest value"));
+  EXPECT_THAT(grayFault("P6 1 1 255 abc"), HasSubstr("one channel"));
+}
+
 TEST_F(ImageFile, SavedPngsReadBackEqual)
 {
   const RgbImage image = sampleImage();

@@ -41,8 +41,10 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   }
   else if (isJpeg(bytes))
     image = decoded(&decodeJpeg, bytes, 3);
-  else if (isPnm(bytes))
+  else if (isPnm(bytes)) {
     image = decoded(&decodePnm, bytes, 3);
+    decoded(&decodeGrayPnm, bytes, 1);
+  }
   constexpr std::size_t few = 3000; // compression takes longer than reading
   if (!image || image->values.size() > few)
     return 0;

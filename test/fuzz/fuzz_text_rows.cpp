@@ -1,5 +1,5 @@
 #include "checks.h"
-#include "rgbd/text_rows.h"
+#include "rgbd/recorded_poses.h"
 
 #include <cmath>
 #include <sstream>
@@ -7,7 +7,7 @@
 using namespace pcl::acmap;
 
 /** Bytes are rejected, or give rows of words, and of finite numbers up to the first
- * word that is not one. */
+ * word that is not one; as poses they are rigid motions, or lost. */
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
@@ -15,6 +15,13 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   const auto rows = test::acceptedBy([&] { return readTextRows(stream, "input"); });
   if (!rows)
     return 0;
+  if (const auto recorded =
+          test::acceptedBy([&] { return posesOfRows(*rows, "input"); })) {
+    test::require(recorded->numbers.empty() ||
+                  recorded->numbers.size() == recorded->poses.size());
+    for (const auto& pose : recorded->poses)
+      test::require(!pose || pose->matrix().allFinite());
+  }
   std::size_t line = 0;
   for (const TextRow& row : *rows) {
     test::require(row.line > line && !row.words.empty());

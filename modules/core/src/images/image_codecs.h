@@ -48,6 +48,11 @@ decodeJpeg(const ImageBytes& bytes);
 RgbImage
 decodePnm(const ImageBytes& bytes);
 
+/** \brief Decodes a PGM of 8 or 16 bits.
+ * \throws DamagedImage */
+GrayImage16
+decodeGrayPnm(const ImageBytes& bytes);
+
 /** \brief Rejects sizes that are not valid, or too large for the number of bytes.
  * \param[in] pixels_per_byte maximum number of pixels that the format can store in a
  * byte

@@ -119,9 +119,13 @@ loadGrayImage16(const std::string& path)
   return acmap::loadImage(
       path,
       [](const acmap::ImageBytes& begin) {
-        return acmap::isPng(begin) ? nullptr : "is no PNG";
+        return acmap::isPng(begin) || acmap::isPnm(begin) ? nullptr
+                                                          : "is no PNG or PGM";
       },
-      &acmap::decodeGrayPng);
+      [](const acmap::ImageBytes& bytes) {
+        return acmap::isPng(bytes) ? acmap::decodeGrayPng(bytes)
+                                   : acmap::decodeGrayPnm(bytes);
+      });
 }
 
 void

@@ -62,4 +62,33 @@ decodePnm(const ImageBytes& bytes)
   return image;
 }
 
+GrayImage16
+decodeGrayPnm(const ImageBytes& bytes)
+{
+  constexpr std::uint64_t max_byte = 255, max_word = 65535;
+  if (bytes[1] != '5')
+    throw DamagedImage("is a PPM, not an image of one channel");
+  std::size_t at = 2;
+  const std::uint64_t width = readNumber(bytes, at);
+  const std::uint64_t height = readNumber(bytes, at);
+  const std::uint64_t brightest = readNumber(bytes, at);
+  if (brightest == 0 || brightest > max_word)
+    throw DamagedImage("is no PGM: its brightest value is not within 1 to 65535");
+  if (at == bytes.size() || std::isspace(bytes[at++]) == 0)
+    throw DamagedImage("lacks a space behind its header");
+  requireImageSize(width, height, 1, bytes.size() - at);
+  const std::uint64_t bytes_per_pixel = brightest > max_byte ? 2 : 1;
+  const std::uint64_t needed = bytes_per_pixel * width * height;
+  if (bytes.size() - at != needed)
+    throw DamagedImage("its header tells of " + std::to_string(needed) + " bytes, " +
+                       std::to_string(bytes.size() - at) + " follow it");
+  GrayImage16 image{
+      static_cast<std::int32_t>(width), static_cast<std::int32_t>(height), {}};
+  image.values.reserve(width * height);
+  for (; at < bytes.size(); at += bytes_per_pixel)
+    image.values.push_back(static_cast<std::uint16_t>(
+        bytes_per_pixel == 2 ? bytes[at] << 8 | bytes[at + 1] : bytes[at]));
+  return image;
+}
+
 } // namespace pcl::acmap

@@ -1,4 +1,6 @@
 #include "observations/file_ending.h"
+#include "rgbd/foreign_layouts.h"
+#include "rgbd/image_folder.h"
 #include "rgbd/text_rows.h"
 
 #include <pcl/core/exceptions.h>
@@ -34,22 +36,45 @@ holdsMergedMapOnly(const fs::path& folder, const std::vector<std::string>& names
           fs::exists(folder / trajectory_name, error));
 }
 
+/** \brief Names of the files of a folder with an ending, without hidden ones. */
 std::vector<std::string>
-pcdNames(const std::string& folder)
+namesWith(const std::string& ending, const fs::path& folder)
+{
+  std::vector<std::string> names;
+  for (const fs::path& entry : folderEntries(folder.string())) {
+    std::string name = entry.filename().string();
+    if (endingOf(entry) == ending && name.rfind('.', 0) != 0)
+      names.push_back(std::move(name));
+  }
+  return names;
+}
+
+/** \brief Clouds of the first kind that a folder has: relative paths, since KITTI has a
+ * folder of its own for them. */
+std::vector<std::string>
+cloudNames(const std::string& folder)
 {
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw InputFileException(folder + ": is no folder");
-  std::vector<std::string> names;
-  for (const fs::path& entry : folderEntries(folder))
-    if (endingOf(entry) == ".pcd")
-      names.push_back(entry.filename().string());
-  if (names.empty())
+  for (const char* ending : {".pcd", ".ply", ".las", ".e57", ".xyz", ".bin"})
+    if (std::vector<std::string> names = namesWith(ending, folder); !names.empty()) {
+      if (holdsMergedMapOnly(folder, names))
+        throw InputFileException(folder +
+                                 ": its only .pcd file is a merged map, and no "
+                                 "observation");
+      return names;
+    }
+  std::vector<std::string> scans;
+  const fs::path velodyne = fs::path(folder) / "velodyne";
+  if (fs::is_directory(velodyne, error))
+    for (const std::string& name : namesWith(".bin", velodyne))
+      scans.push_back((fs::path("velodyne") / name).string());
+  if (scans.empty()) {
+    refuseForeignLayout(folder);
     throw InputFileException(folder + ": holds no .pcd file");
-  if (holdsMergedMapOnly(folder, names))
-    throw InputFileException(folder + ": its only .pcd file is a merged map, and no "
-                                      "observation");
-  return names;
+  }
+  return scans;
 }
 
 /** The number in observation_0012.pcd; nothing in other names. */
@@ -112,14 +137,14 @@ inSequence(std::vector<std::string> names)
       });
   if (!numbered.empty())
     return numbered;
-  std::sort(names.begin(), names.end());
+  std::sort(names.begin(), names.end(), &isBeforeByNumbers);
   return names;
 }
 
 std::vector<std::string>
 observationNames(const std::string& folder)
 {
-  return inSequence(pcdNames(folder));
+  return inSequence(cloudNames(folder));
 }
 
 std::vector<std::string>

@@ -1,3 +1,4 @@
+#include "observations/cloud_folder.h"
 #include "observations/observation_cache.h"
 #include "rgbd/rgbd_reader.h"
 
@@ -48,7 +49,7 @@ cacheOfFiles(double scale)
   const auto cache =
       std::make_shared<acmap::ObservationCache>([scale](const std::string& path) {
         return std::make_shared<const PointCloudFile>(
-            acmap::loadScaledCloud(path, scale));
+            acmap::loadObservationFile(path, scale));
       });
   cache->setLimit(std::size_t{64} << 20); // the system keeps files in memory anyway
   return cache;
@@ -82,18 +83,12 @@ ObservationSequence::ObservationSequence(const std::string& folder, double scale
 , scale_(scale)
 , cache_(cacheOfFiles(scale))
 {
-  paths_ = acmap::observationPaths(folder);
-  const std::string trajectory = (fs::path(folder) / acmap::trajectory_name).string();
-  const std::string times = (fs::path(folder) / acmap::times_name).string();
-  std::error_code error;
-  if (fs::exists(trajectory, error)) {
-    trajectory_ = loadTrajectory(trajectory);
-    rows_ = acmap::trajectoryRows(trajectory, names(), trajectory_.poses.size());
-  }
-  else if (fs::exists(times, error)) {
-    trajectory_.stamps = acmap::loadTimes(times);
-    rows_ = acmap::trajectoryRows(times, names(), trajectory_.stamps.size());
-  }
+  acmap::CloudFolder clouds = acmap::openCloudFolder(folder);
+  paths_ = std::move(clouds.paths);
+  rows_ = std::move(clouds.rows);
+  trajectory_ = std::move(clouds.trajectory);
+  remarks_ = std::move(clouds.remarks);
+  is_given_ = clouds.is_kitti; // and not compared with VIEWPOINTs
   for (Eigen::Isometry3d& pose : trajectory_.poses)
     pose.translation() *= scale;
 }
@@ -137,6 +132,8 @@ ObservationSequence::ObservationSequence(const RgbdSequence& recorded,
                                          unsigned threads)
 : source_(recorded.folder)
 , is_given_(true)
+, source_state_(acmap::stateOfRgbd(recorded, cameras))
+, remarks_(recorded.remarks)
 {
   if (recorded.frames.empty())
     throw acmap::BadArgument("a sequence of no frames");

@@ -1,3 +1,5 @@
+#include "rgbd/image_sizes.h"
+
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
@@ -141,20 +143,71 @@ requireSize(const std::string& path, const ImageSize& size, const ImageSize& nee
 }
 
 struct FrameImages {
-  RgbImage color;
+  RgbImage color; ///< of the depth image's size without a colour camera
   GrayImage16 depth;
+  RgbdImageSizes sizes; ///< of the files
 };
+
+RgbImage
+greyImage(const ImageSize& size)
+{
+  constexpr std::uint8_t grey = 128;
+  const auto pixels =
+      static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+  return {size.width, size.height, std::vector<std::uint8_t>(3 * pixels, grey)};
+}
+
+/** \brief Takes out depths that are not to be trusted. */
+void
+applyConfidence(const std::string& path, GrayImage16& depth)
+{
+  const GrayImage16 confidence = loadGrayImage16(path);
+  requireSize(path, sizeOf(confidence), sizeOf(depth));
+  for (std::size_t i = 0; i < depth.values.size(); ++i)
+    if (confidence.values[i] == 0)
+      depth.values[i] = 0;
+}
+
+/** \brief Colours of another size than the depths, with no camera of their own, are scaled
+ * if that is possible. */
+void
+matchSizes(const RgbdFrame& frame, FrameImages& images)
+{
+  const ImageSize color = sizeOf(images.color), depth = sizeOf(images.depth);
+  if (acmap::areSame(color, depth))
+    return;
+  if (acmap::isEnlarged(color, depth))
+    images.color = scaledImage(images.color, depth);
+  else if (const ImageSize turned{color.height, color.width};
+           acmap::areSame(turned, depth) || acmap::isEnlarged(turned, depth))
+    throw InputFileException(
+        frame.depth + ": has " + acmap::sizeText(depth) + " pixels, the colour image " +
+        acmap::sizeText(color) +
+        ": one of them is turned; ffmpeg -noautorotate -i VIDEO gives the images of a "
+        "video as the camera saw them");
+  else
+    requireSize(frame.depth, depth, color);
+}
 
 FrameImages
 loadImages(const RgbdFrame& frame,
            const RgbdCameras& cameras,
            const RgbdImageSizes& sizes)
 {
-  FrameImages images{loadRgbImage(frame.color), loadGrayImage16(frame.depth)};
-  requireSize(frame.color, sizeOf(images.color), sizes.color);
-  requireSize(frame.depth,
-              sizeOf(images.depth),
-              cameras.color ? sizes.depth : sizeOf(images.color));
+  FrameImages images;
+  if (!frame.color.empty()) {
+    images.color = loadRgbImage(frame.color);
+    requireSize(frame.color, sizeOf(images.color), sizes.color);
+  }
+  images.depth = loadGrayImage16(frame.depth);
+  if (frame.color.empty())
+    images.color = greyImage(sizeOf(images.depth));
+  requireSize(frame.depth, sizeOf(images.depth), sizes.depth);
+  images.sizes = {sizeOf(images.color), sizeOf(images.depth)};
+  if (!cameras.color)
+    matchSizes(frame, images);
+  if (!frame.confidence.empty())
+    applyConfidence(frame.confidence, images.depth);
   return images;
 }
 
@@ -245,8 +298,14 @@ makeRgbdObservation(const RgbImage& color,
     for (std::size_t i = 0; i < points.size(); ++i)
       points[i] = view[i].getVector3fMap();
   }
-  observation.cloud = cameras.color ? registeredCloud(color, points, *cameras.color)
-                                    : observationCloud(color, points);
+  if (!cameras.color)
+    observation.cloud = observationCloud(color, points);
+  else if (cameras.color->is_resampled)
+    observation.cloud = observationCloud(
+        resampledColors(color, points, depth_size, cameras.depth, *cameras.color),
+        points);
+  else
+    observation.cloud = registeredCloud(color, points, *cameras.color);
   return observation;
 }
 
@@ -257,19 +316,23 @@ loadRgbdObservation(const RgbdFrame& frame,
                     unsigned threads)
 {
   const FrameImages images = loadImages(frame, cameras, sizes);
-  return makeRgbdObservation(
-      images.color,
-      measuredPoints(images.depth, cameras.depth, cameras.meaning),
-      sizeOf(images.depth),
-      cameras,
-      threads);
+  RgbdObservation observation =
+      makeRgbdObservation(images.color,
+                          measuredPoints(images.depth, cameras.depth, cameras.meaning),
+                          sizeOf(images.depth),
+                          cameras,
+                          threads);
+  observation.sizes = images.sizes;
+  return observation;
 }
 
 Eigen::Isometry3d
 loadPose(const RgbdFrame& frame, const RgbdCameras& cameras)
 {
   const Eigen::Isometry3d T_world_depth = loadPose(frame);
-  return cameras.color ? T_world_depth * cameras.color->T_depth_color : T_world_depth;
+  return cameras.color && !cameras.color->is_resampled
+             ? T_world_depth * cameras.color->T_depth_color
+             : T_world_depth;
 }
 
 } // namespace pcl

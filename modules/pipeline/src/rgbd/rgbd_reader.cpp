@@ -1,6 +1,8 @@
 #include "rgbd/rgbd_reader.h"
 
+#include <pcl/pipeline/fingerprint.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/stage_store.h>
 
 #include <utility>
 
@@ -26,6 +28,28 @@ rgbdTrajectory(const RgbdSequence& sequence, const RgbdCameras& cameras)
     }
   }
   return trajectory;
+}
+
+std::string
+stateOfRgbd(const RgbdSequence& sequence, const RgbdCameras& cameras)
+{
+  Fingerprint hash;
+  const auto addPinhole = [&hash](const Pinhole& camera) {
+    for (const double value : {camera.fx, camera.fy, camera.cx, camera.cy})
+      hash.add(&value, sizeof value);
+  };
+  addPinhole(cameras.depth);
+  if (cameras.color) {
+    addPinhole(cameras.color->pinhole);
+    hash.add(cameras.color->T_depth_color.matrix());
+  }
+  hash.add(&cameras.meaning.scale, sizeof cameras.meaning.scale);
+  hash.add(&cameras.meaning.max_depth, sizeof cameras.meaning.max_depth);
+  hash.add(&cameras.sensor, sizeof cameras.sensor);
+  for (const RgbdFrame& frame : sequence.frames)
+    for (const std::string* path : {&frame.color, &frame.depth, &frame.confidence})
+      hash.add(stateOfFile(*path));
+  return hash.text();
 }
 
 RgbdReader::RgbdReader(const RgbdSequence& sequence,

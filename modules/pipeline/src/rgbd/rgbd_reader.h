@@ -18,6 +18,10 @@ namespace pcl::acmap {
 Trajectory
 rgbdTrajectory(const RgbdSequence& sequence, const RgbdCameras& cameras);
 
+/** \brief Changes with the names, sizes and times of the images, and with the cameras. */
+std::string
+stateOfRgbd(const RgbdSequence& sequence, const RgbdCameras& cameras);
+
 /** \brief Reads frames of an RGB-D sequence as if they were PCD files of a sequence of
  * observations. Thread-safe. */
 class RgbdReader {

@@ -1,4 +1,6 @@
 #include "observations/file_ending.h"
+#include "rgbd/foreign_layouts.h"
+#include "rgbd/image_sizes.h"
 #include "rgbd/layouts.h"
 #include "rgbd/text_rows.h"
 
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <set>
 
 namespace pcl {
@@ -31,12 +34,6 @@ requireRigid(const Eigen::Matrix4d& matrix, const std::string& path)
                                     "0 0 0 1 below them, are needed");
 }
 
-bool
-begins(const std::string& text, const std::string& with)
-{
-  return text.rfind(with, 0) == 0;
-}
-
 std::set<std::string>
 namesIn(const fs::path& folder)
 {
@@ -48,31 +45,34 @@ namesIn(const fs::path& folder)
   return names;
 }
 
-/** \brief Do the names have the layout of TUM, 7-Scenes or Open3D? */
-bool
-areRgbdNames(const std::set<std::string>& names)
-{
-  const auto has = [&](const char* name) { return names.count(name) > 0; };
-  const bool is_tum = has("rgb.txt") || has("depth.txt");
-  const bool is_open3d = has("depth") && (has("color") || has("image") || has("rgb"));
-  return is_tum || is_open3d ||
-         std::any_of(names.begin(), names.end(), [](const std::string& name) {
-           return begins(name, "frame-") && (name.find(".color.") != name.npos ||
-                                             name.find(".depth.") != name.npos);
-         });
-}
+/** \brief A known layout. */
+struct RgbdLayout {
+  bool (*fits)(const std::string& folder);
+  RgbdSequence (*open)(const std::string& folder, const RgbdSequenceSettings& settings);
+  bool is_general; ///< its names are those of others, too
+};
 
-/** \brief Is it an RGB-D folder, and no session, map or folder of point clouds? */
+/** \brief The layouts, those with more particular names first. */
+constexpr RgbdLayout layouts[] = {
+    {&isTumSequence, &openTumSequence, false},
+    {&isAssociatedSequence, &openAssociatedSequence, false},
+    {&isSevenScenesSequence, &openSevenScenesSequence, false},
+    {&isScannetSequence, &openScannetSequence, false},
+    {&isReplicaSequence, &openReplicaSequence, false},
+    {&isStraySequence, &openStraySequence, false},
+    {&isRecord3dSequence, &openRecord3dSequence, false},
+    {&isOpen3dSequence, &openOpen3dSequence, true}};
+
+/** \brief Is it no session, map or folder of point clouds? */
 bool
 holdsOnlyRgbd(const std::string& folder)
 {
   const std::set<std::string> names = namesIn(folder);
-  return areRgbdNames(names) &&
-         std::none_of(names.begin(), names.end(), [](const std::string& name) {
-           const std::string ending = endingOf(name);
-           return name == "session.yaml" || name == "map.json" || ending == ".acf" ||
-                  ending == ".pcd";
-         });
+  return std::none_of(names.begin(), names.end(), [](const std::string& name) {
+    const std::string ending = endingOf(name);
+    return name == "session.yaml" || name == "map.json" || ending == ".acf" ||
+           ending == ".pcd";
+  });
 }
 
 RgbdSequence
@@ -81,16 +81,17 @@ openKnownLayout(const std::string& folder, const RgbdSequenceSettings& settings)
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw InputFileException(folder + ": is no folder");
-  if (isTumSequence(folder))
-    return openTumSequence(folder, settings);
-  if (isSevenScenesSequence(folder))
-    return openSevenScenesSequence(folder, settings);
-  if (isOpen3dSequence(folder) && holdsOnlyRgbd(folder))
-    return openOpen3dSequence(folder, settings);
+  for (const RgbdLayout& layout : layouts)
+    if (layout.fits(folder) && (!layout.is_general || holdsOnlyRgbd(folder)))
+      return layout.open(folder, settings);
+  refuseForeignLayout(folder);
   throw InputFileException(
-      folder + ": is no RGB-D folder; looked for rgb.txt and depth.txt (TUM), for "
-               "frame-000000.color.jpg or .png with frame-000000.depth.png (7-Scenes), "
-               "and for folders depth and color, image or rgb (Open3D)");
+      folder +
+      ": is no RGB-D folder; looked for rgb.txt and depth.txt (TUM), associations.txt "
+      "(ORB-SLAM), frame-000000.color.jpg or .png with frame-000000.depth.png "
+      "(7-Scenes), "
+      "results/depth000000.png (Replica), odometry.csv (StrayScanner), metadata.json "
+      "(Record3D), and for folders depth and color, image or rgb (ScanNet, Open3D)");
 }
 
 } // namespace
@@ -102,14 +103,23 @@ openRgbdSequence(const std::string& folder, const RgbdSequenceSettings& settings
 {
   RgbdSequence sequence = acmap::openKnownLayout(folder, settings);
   sequence.folder = folder;
-  sequence.has_poses = settings.has_poses;
+  sequence.has_poses = sequence.has_poses && settings.has_poses;
+  acmap::fitCameras(settings.has_camera, sequence);
   return sequence;
 }
 
 bool
 isRgbdFolder(const std::string& folder)
 {
-  return acmap::areRgbdNames(acmap::namesIn(folder));
+  try {
+    return std::any_of(
+        std::begin(acmap::layouts),
+        std::end(acmap::layouts),
+        [&](const acmap::RgbdLayout& layout) { return layout.fits(folder); });
+  }
+  catch (const InputFileException&) {
+    return false; // cannot be listed
+  }
 }
 
 Eigen::Isometry3d

@@ -1,4 +1,5 @@
 #include "rgbd/layouts.h"
+#include "rgbd/recorded_poses.h"
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/folder_entries.h>
@@ -16,7 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* prefix = "frame-";
 constexpr const char* camera_file = "camera-intrinsics.txt";
-constexpr const char* depth_ending = ".depth.png";
 constexpr const char* pose_ending = ".pose.txt";
 constexpr std::size_t max_digits = 9;
 constexpr Pinhole kinect = {585.0, 585.0, 320.0, 240.0};
@@ -29,10 +29,17 @@ colorEndings()
   return endings;
 }
 
+const std::vector<std::string>&
+depthEndings()
+{
+  static const std::vector<std::string> endings = {".depth.png", ".depth.pgm"};
+  return endings;
+}
+
 bool
 isPicture(const std::string& ending)
 {
-  return ending == depth_ending ||
+  return std::count(depthEndings().begin(), depthEndings().end(), ending) > 0 ||
          std::count(colorEndings().begin(), colorEndings().end(), ending) > 0;
 }
 
@@ -58,6 +65,16 @@ listFrames(const std::string& folder)
   return frames;
 }
 
+/** \brief The first of some endings that a frame has, or the first of them. */
+std::string
+endingAmong(const std::vector<std::string>& known, const std::set<std::string>& endings)
+{
+  for (const std::string& ending : known)
+    if (endings.count(ending) > 0)
+      return ending;
+  return known.front();
+}
+
 /** \brief Paths of the files of a frame; a missing file is reported when it is read. */
 RgbdFrame
 frameOf(const fs::path& folder,
@@ -66,12 +83,8 @@ frameOf(const fs::path& folder,
 {
   const std::string base = (folder / (prefix + digits)).string();
   RgbdFrame frame;
-  for (const std::string& ending : colorEndings())
-    if (frame.color.empty() && endings.count(ending) > 0)
-      frame.color = base + ending;
-  if (frame.color.empty())
-    frame.color = base + colorEndings().front();
-  frame.depth = base + depth_ending;
+  frame.color = base + endingAmong(colorEndings(), endings);
+  frame.depth = base + endingAmong(depthEndings(), endings);
   frame.pose_file = base + pose_ending;
   frame.stamp = std::stod(digits);
   return frame;
@@ -88,6 +101,21 @@ cameraOf(const fs::path& folder, RgbdSequence& sequence)
                              " tells the camera: took 7-Scenes' fx = fy = 585, cx = "
                              "320, cy = 240; --intrinsics names another");
   return kinect;
+}
+
+/** \brief Leaves out the frames whose pose is -inf or nan, as where tracking was lost. */
+void
+leaveOutLost(RgbdSequence& sequence)
+{
+  std::vector<RgbdFrame> posed;
+  for (RgbdFrame& frame : sequence.frames)
+    if (!isLostPose(frame.pose_file))
+      posed.push_back(std::move(frame));
+  sequence.unposed = sequence.frames.size() - posed.size();
+  if (posed.empty())
+    throw EmptyInputException(sequence.frames.front().pose_file +
+                              ": is a pose that was lost, as all are");
+  sequence.frames = std::move(posed);
 }
 
 /** \brief Is the camera a Kinect? Other devices use this layout, too. */
@@ -124,9 +152,9 @@ openSevenScenesSequence(const std::string& folder, const RgbdSequenceSettings& s
     has_pose = has_pose || endings.count(pose_ending) > 0;
   }
   if (settings.has_poses && !has_pose)
-    throw InputFileException(sequence.frames.front().pose_file +
-                             ": is missing, as all poses are; --no-poses does "
-                             "without them");
+    goWithoutPoses("frame-000000.pose.txt", sequence);
+  else if (settings.has_poses)
+    leaveOutLost(sequence);
   std::stable_sort(
       sequence.frames.begin(),
       sequence.frames.end(),

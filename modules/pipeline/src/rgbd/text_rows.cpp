@@ -99,14 +99,23 @@ refuseWord(const std::string& path,
 }
 
 double
-numberOf(const std::string& path, const TextRow& row, std::size_t word)
+anyNumberOf(const std::string& path, const TextRow& row, std::size_t word)
 {
   const std::string& text = row.words[word];
   const char* const begin = text.data() + (text[0] == '+' ? 1 : 0);
   const char* const end = text.data() + text.size();
   double value = 0;
   const auto result = std::from_chars(begin, end, value);
-  if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value))
+  if (result.ec != std::errc() || result.ptr != end)
+    refuseWord(path, row, word, "is no finite number");
+  return value;
+}
+
+double
+numberOf(const std::string& path, const TextRow& row, std::size_t word)
+{
+  const double value = anyNumberOf(path, row, word);
+  if (!std::isfinite(value))
     refuseWord(path, row, word, "is no finite number");
   return value;
 }

@@ -38,6 +38,10 @@ refuseWord(const std::string& path,
 double
 numberOf(const std::string& path, const TextRow& row, std::size_t word);
 
+/** \brief The same for a number that may be infinite or nan. */
+double
+anyNumberOf(const std::string& path, const TextRow& row, std::size_t word);
+
 /** \brief Reads a square matrix, row by row.
  * \throws InputFileException naming file and fault when it does not have size rows of
  * size finite numbers */

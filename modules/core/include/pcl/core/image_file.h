@@ -48,7 +48,7 @@ struct GrayImage16 {
 ACMAP_EXPORT RgbImage
 loadRgbImage(const std::string& path);
 
-/** \brief Reads a PNG of one channel, of 8 or 16 bits; the values are not scaled.
+/** \brief Reads a PNG or a PGM of one channel, of 8 or 16 bits; the values are not scaled.
  * \throws InputFileException as above, and when it has colour \ingroup core */
 ACMAP_EXPORT GrayImage16
 loadGrayImage16(const std::string& path);

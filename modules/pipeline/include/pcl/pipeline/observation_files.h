@@ -29,8 +29,9 @@ ACMAP_EXPORT bool
 isNumbered(const std::string& name);
 
 /** \brief Lists the PCD files of a folder that form its sequence, in the order of
- * \ref inSequence.
- * \throws InputFileException if it is no folder, or holds no PCD file */
+ * \ref inSequence; if there are none, its PLY, LAS, E57 or XYZ files, or scans of KITTI
+ * (.bin), which may stand in its folder velodyne.
+ * \throws InputFileException if it is no folder, or holds no cloud */
 ACMAP_EXPORT std::vector<std::string>
 observationNames(const std::string& folder);
 
@@ -40,7 +41,7 @@ observationPaths(const std::string& folder);
 
 /** \brief Orders the names of PCD files as a sequence: observation_0000.pcd and so on
  * by their numbers, without the other files; if no file is numbered, all files by
- * name. */
+ * name, with numbers in it by value. */
 ACMAP_EXPORT std::vector<std::string>
 inSequence(std::vector<std::string> names);
 

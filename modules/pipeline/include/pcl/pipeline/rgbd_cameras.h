@@ -18,10 +18,19 @@ namespace pcl {
 ACMAP_EXPORT Pinhole
 loadPinhole(const std::string& path);
 
+/** \brief Size of an image in pixels. \ingroup pipeline */
+struct ImageSize {
+  std::int32_t width = 0;
+  std::int32_t height = 0;
+};
+
 /** \brief A colour camera next to the depth camera. \ingroup pipeline */
 struct ColorCamera {
   Pinhole pinhole;
   Eigen::Isometry3d T_depth_color; ///< its pose in the depth camera's frame, metres
+  /** \brief Take the colours to the pixels of the depth camera, whose images are smaller,
+   * instead of the points to those of this camera. */
+  bool is_resampled = false;
 };
 
 /** \brief Default colour camera for a Kinect as used for 7-Scenes, whose calibration

@@ -57,23 +57,32 @@ registeredCloud(const RgbImage& color,
                 const std::vector<Eigen::Vector3f>& points,
                 const ColorCamera& color_camera);
 
-/** \brief Size of an image in pixels. \ingroup pipeline */
-struct ImageSize {
-  std::int32_t width = 0;
-  std::int32_t height = 0;
-};
+/** \brief The colours of the pixels of a depth camera, from a larger image of a colour camera:
+ * each pixel gets the mean of what the colour camera shows there, at the place of its point or,
+ * without one, of a point far away; black outside.
+ * \param[in] points of the depth camera, one per pixel; O(n) \ingroup pipeline */
+ACMAP_EXPORT RgbImage
+resampledColors(const RgbImage& color,
+                const std::vector<Eigen::Vector3f>& points,
+                const ImageSize& depth_size,
+                const Pinhole& depth_camera,
+                const ColorCamera& color_camera);
+
+/** \brief An image at another size, by the means of its pixels. \ingroup pipeline */
+ACMAP_EXPORT RgbImage
+scaledImage(const RgbImage& image, const ImageSize& size);
 
 /** \brief Sizes of the images of a frame; 0 x 0 if they are not known.
  * \ingroup pipeline */
 struct RgbdImageSizes {
-  ImageSize color; ///< also that of the observation
+  ImageSize color;
   ImageSize depth;
 };
 
 /** \brief A frame of an RGB-D sequence as an observation. \ingroup pipeline */
 struct RgbdObservation {
   /** \brief Organized x y z rgb sigma, metres, in the frame and the pixels of the colour
-   * camera, or of the depth camera if there is no separate one. */
+   * camera, or of the depth camera if there is no separate one or it is resampled. */
   PCLPointCloud2 cloud;
   RgbdImageSizes sizes;
   bool is_refined = false; ///< Was the depth quantised?
@@ -98,7 +107,9 @@ makeRgbdObservation(const RgbImage& color,
 
 /** \brief Reads the images of a frame and converts them to an observation. The steps of
  * quantised depth are removed first (\ref refineQuantisedDepth), in the pixels of the
- * depth camera.
+ * depth camera. Without a colour camera, a larger colour image of the same shape is scaled to
+ * the depth image; without a colour image, the colour is grey. Depths whose confidence is 0 are
+ * left out.
  * \param[in] sizes of the other frames, which this one must have too; 0 x 0 for any
  * \param[in] threads 0 for all
  * \throws InputFileException when an image is missing, malformed, or of another size; or

@@ -1,0 +1,197 @@
+#include "rgbd_options.h"
+
+#include "command_line.h"
+
+#include <pcl/core/calibration_file.h>
+#include <pcl/core/image_file.h>
+
+#include <CLI/CLI.hpp>
+
+namespace pcl::acmap {
+
+namespace {
+
+/** \brief Adds an option for a finite number above zero, in a range for which points
+ * are finite. */
+template <typename Value>
+CLI::Option*
+addPositive(CLI::App& app,
+            const std::string& name,
+            Value& value,
+            const std::string& type,
+            const std::string& purpose)
+{
+  return app.add_option(name, value, purpose)
+      ->type_name(type)
+      ->check(numberWithin(1e-6, 1e6).description(""));
+}
+
+/** \brief Size of the first depth image that can be read. */
+ImageSize
+depthSizeOf(const RgbdSequence& sequence)
+{
+  for (std::size_t i = 0;; ++i)
+    try {
+      const GrayImage16 image = loadGrayImage16(sequence.frames.at(i).depth);
+      return {image.width, image.height};
+    }
+    catch (const InputFileException&) {
+      if (i + 1 >= sequence.frames.size())
+        throw;
+    }
+}
+
+/** \brief The depth camera of a file, for images of the folder's size. */
+Pinhole
+loadDepthCamera(const std::string& path, const RgbdSequence& sequence)
+{
+  const ImageSize size = depthSizeOf(sequence);
+  return fittedPinhole(loadCameraPinhole(path), size.width, size.height, path);
+}
+
+} // namespace
+
+void
+addRgbdCameras(CLI::App& app, RgbdOptions& options)
+{
+  app.add_option("--intrinsics",
+                 options.intrinsics,
+                 "The depth camera: a matrix as text, a rig.yaml, or a calibration by "
+                 "Open3D, ROS, OpenCV, Kalibr, ORB-SLAM and others "
+                 "[default: the folder's, or its layout's]")
+      ->type_name("FILE");
+  auto* const fx = addPositive(app,
+                               "--fx",
+                               options.fx,
+                               "PX",
+                               "Focal length across in pixels, instead of the above");
+  addPositive(app, "--fy", options.fy, "PX", "Focal length down [default: --fx]")
+      ->needs(fx);
+  addPositive(app, "--cx", options.cx, "PX", "Column of the principal point");
+  addPositive(app, "--cy", options.cy, "PX", "Row of the principal point");
+  addPositive(
+      app,
+      "--depth-scale",
+      options.depth_scale,
+      "N",
+      "Numbers of a depth image in a metre [default: 5000 for TUM and ORB-SLAM, "
+      "that of cam_params.json for Replica, else 1000]");
+  auto* const file =
+      app.add_option("--color-camera",
+                     options.color_camera,
+                     "The camera that saw the colours, where that is another one: YAML "
+                     "with its pinhole and its pose [default: 7-Scenes' for 7-Scenes' "
+                     "Kinect, ScanNet's of the folder, else none]");
+  file->type_name("FILE");
+  app.add_flag("--registered",
+               options.is_registered,
+               "Colour and depth images show the same, pixel by pixel, as TUM's do")
+      ->excludes(file);
+}
+
+void
+addNoPoses(CLI::App& app, RgbdOptions& options)
+{
+  app.add_flag("--no-poses", options.no_poses, "Leave poses out, known or not");
+}
+
+void
+addMaxDepth(CLI::App& app, RgbdOptions& options)
+{
+  addPositive(app,
+              "--max-depth",
+              options.max_depth,
+              "M",
+              "Leave out points farther than this, metres [default: none]")
+      ->default_str("");
+}
+
+void
+addStampGap(CLI::App& app, RgbdOptions& options)
+{
+  addPositive(app,
+              "--max-stamp-gap",
+              options.max_stamp_gap,
+              "S",
+              "Seconds between what lists or names have of one moment, at most");
+}
+
+RgbdSequenceSettings
+settingsOf(const RgbdOptions& options)
+{
+  RgbdSequenceSettings settings;
+  settings.has_poses = !options.no_poses;
+  settings.max_stamp_gap = options.max_stamp_gap;
+  settings.has_camera =
+      !options.intrinsics.empty() || (options.fx && options.cx && options.cy);
+  return settings;
+}
+
+RgbdCameras
+camerasOf(const RgbdOptions& options, const RgbdSequence& sequence, DepthSensor sensor)
+{
+  RgbdCameras cameras = sequence.cameras();
+  Pinhole& depth = cameras.depth;
+  if (!options.intrinsics.empty())
+    depth = loadDepthCamera(options.intrinsics, sequence);
+  if (options.fx)
+    depth.fx = depth.fy = *options.fx;
+  depth.fy = options.fy.value_or(depth.fy);
+  depth.cx = options.cx.value_or(depth.cx);
+  depth.cy = options.cy.value_or(depth.cy);
+  if (options.is_registered)
+    cameras.color.reset();
+  else if (!options.color_camera.empty())
+    cameras.color = loadColorCamera(options.color_camera);
+  cameras.meaning = {options.depth_scale.value_or(sequence.depth_scale),
+                     options.max_depth};
+  cameras.sensor = sensor;
+  return cameras;
+}
+
+std::vector<std::string>
+rgbdRemarks(const RgbdOptions& options,
+            const RgbdSequence& sequence,
+            const RgbdCameras& cameras)
+{
+  std::vector<std::string> remarks = sequence.remarks;
+  if (!cameras.color && !sequence.is_registered && !options.is_registered)
+    remarks.emplace_back(
+        "the camera of the colours is not known: took them pixel by pixel as the "
+        "depths; --color-camera names it, --registered says that this is right");
+  const auto count = [&](std::size_t frames, const std::string& fault) {
+    if (frames > 0)
+      remarks.push_back(std::to_string(frames) + fault);
+  };
+  count(sequence.unmatched,
+        " depth images left out: no colour image was taken near them");
+  count(sequence.unposed, " frames left out: no pose is known near them");
+  for (const std::string& remark : assessRgbd(sequence, cameras).remarks)
+    remarks.push_back(remark);
+  return remarks;
+}
+
+std::string
+intrinsicsText(const RgbdOptions& options, const RgbdSequence& sequence)
+{
+  if (options.intrinsics.empty())
+    return {};
+  const CalibratedPinhole camera = loadCameraPinhole(options.intrinsics);
+  const bool is_scaled =
+      camera.width != 0 && camera.width != depthSizeOf(sequence).width;
+  return camera.told +
+         (is_scaled ? ", scaled from " + sizeText(camera) + " pixels" : "");
+}
+
+std::string
+depthScaleText(const RgbdOptions& options,
+               const RgbdSequence& sequence,
+               const RgbdCameras& cameras)
+{
+  const std::string number = depthScaleText(cameras.meaning.scale) + " in a metre";
+  return options.depth_scale
+             ? number
+             : number + ", as of " + sequence.layout + "; --depth-scale states another";
+}
+
+} // namespace pcl::acmap
