@@ -80,6 +80,16 @@ TEST(CloudFolders, OfPlyFilesAreOrderedByTheirNumbers)
   EXPECT_THAT(given.remarks(), ElementsAre(HasSubstr("poses.txt")));
 }
 
+TEST(CloudFolders, AreNoResultsOfAcmap)
+{
+  const TemporaryFolder folder;
+  folder.write("mesh.ply", plyOf(1));
+  folder.write("map.json", "{}");
+  EXPECT_THAT(messageOf<InputFileException>(
+                  [&] { ObservationSequence(folder.path("")); }, "no fault"),
+              HasSubstr("holds no .pcd file"));
+}
+
 TEST(CloudFolders, TakePosesByNumberWhereSomeCloudsAreMissing)
 {
   const TemporaryFolder folder;

@@ -110,16 +110,25 @@ def halved(rows):
 
 
 def quaternion(m):
-    """qx qy qz qw of a rotation."""
-    w = math.sqrt(max(0, 1 + m[0][0] + m[1][1] + m[2][2])) / 2
-    x = math.sqrt(max(0, 1 + m[0][0] - m[1][1] - m[2][2])) / 2
-    y = math.sqrt(max(0, 1 - m[0][0] + m[1][1] - m[2][2])) / 2
-    z = math.sqrt(max(0, 1 - m[0][0] - m[1][1] + m[2][2])) / 2
-    x = math.copysign(x, m[2][1] - m[1][2])
-    y = math.copysign(y, m[0][2] - m[2][0])
-    z = math.copysign(z, m[1][0] - m[0][1])
-    length = math.sqrt(w * w + x * x + y * y + z * z)
-    return [value / length for value in (x, y, z, w)]
+    """qx qy qz qw of a rotation, which may be rounded: from its largest component."""
+    trace = m[0][0] + m[1][1] + m[2][2]
+    q = [0.0] * 4
+    if trace > 0:
+        root = math.sqrt(trace + 1)
+        q[3] = root / 2
+        for i in range(3):
+            j, k = (i + 1) % 3, (i + 2) % 3
+            q[i] = (m[k][j] - m[j][k]) / (2 * root)
+    else:
+        i = max(range(3), key=lambda axis: m[axis][axis])
+        j, k = (i + 1) % 3, (i + 2) % 3
+        root = math.sqrt(m[i][i] - m[j][j] - m[k][k] + 1)
+        q[i] = root / 2
+        q[3] = (m[k][j] - m[j][k]) / (2 * root)
+        q[j] = (m[j][i] + m[i][j]) / (2 * root)
+        q[k] = (m[k][i] + m[i][k]) / (2 * root)
+    length = math.sqrt(sum(value * value for value in q))
+    return [value / length for value in q]
 
 
 class Frame:
@@ -306,8 +315,9 @@ def record3d(source, target):
     for frame in source.frames:
         shutil.copy(frame.color, rgb / f"{frame.index}.jpg")
         write_png(depth / f"{frame.index}.png", frame.depth())
-        turned = [[row[0], -row[1], -row[2]] for row in frame.pose[:3]]
-        poses.append([*quaternion(turned), *(frame.pose[i][3] for i in range(3))])
+        x, y, z, w = quaternion(frame.pose)
+        turned = [w, z, -y, -x]  # times half a turn about x
+        poses.append([*turned, *(frame.pose[i][3] for i in range(3))])
     camera = source.camera
     matrix = [camera[row][column] for column in range(3) for row in range(3)]
     text = {"w": 640, "h": 480, "fps": 30, "K": matrix, "poses": poses}

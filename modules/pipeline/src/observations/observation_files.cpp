@@ -57,14 +57,18 @@ cloudNames(const std::string& folder)
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw InputFileException(folder + ": is no folder");
-  for (const char* ending : {".pcd", ".ply", ".las", ".e57", ".xyz", ".bin"})
-    if (std::vector<std::string> names = namesWith(ending, folder); !names.empty()) {
-      if (holdsMergedMapOnly(folder, names))
-        throw InputFileException(folder +
-                                 ": its only .pcd file is a merged map, and no "
-                                 "observation");
+  if (std::vector<std::string> names = namesWith(".pcd", folder); !names.empty()) {
+    if (holdsMergedMapOnly(folder, names))
+      throw InputFileException(folder + ": its only .pcd file is a merged map, and no "
+                                        "observation");
+    return names;
+  }
+  for (const char* name : {"map.json", "session.yaml"}) // beside meshes of acmap
+    if (fs::exists(fs::path(folder) / name, error))
+      throw InputFileException(folder + ": holds no .pcd file");
+  for (const char* ending : {".ply", ".las", ".e57", ".xyz", ".bin"})
+    if (std::vector<std::string> names = namesWith(ending, folder); !names.empty())
       return names;
-    }
   std::vector<std::string> scans;
   const fs::path velodyne = fs::path(folder) / "velodyne";
   if (fs::is_directory(velodyne, error))
