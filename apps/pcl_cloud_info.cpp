@@ -5,6 +5,7 @@
 #include <pcl/core/cloud_assessment.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/length_remarks.h>
+#include <pcl/core/impl/map_shift.h>
 #include <pcl/core/impl/size_text.h>
 
 #include <CLI/CLI.hpp>
@@ -94,9 +95,9 @@ tell(const std::string& input, const pcl::CloudAssessmentReport& report, StageLo
   log.tell("unit", describe(report.unit));
   if (!report.shift.isZero(0))
     log.tell("shift",
-             shortNumber(report.shift.x()) + ", " + shortNumber(report.shift.y()) +
-                 ", " + shortNumber(report.shift.z()) +
-                 " m are to be added to the coordinates of results");
+             shiftText(report.shift) +
+                 " m are to be added to the coordinates of results; --shift states "
+                 "others");
   log.tell("spacing",
            report.spacing > 0 ? shortNumber(1000 * report.spacing) + " mm" : "none");
   tellAssessment(report, log);
@@ -118,7 +119,10 @@ main(int argc, char** argv)
       "each with its evidence.");
   std::string input;
   tool.options()
-      .add_option("input", input, "Point cloud (.pcd, .ply, .obj, .xyz, .las, .e57)")
+      .add_option(
+          "input",
+          input,
+          "Point cloud (.pcd, .ply, .obj, .xyz, .txt, .csv, .pts, .ptx, .las, .e57)")
       ->type_name("CLOUD")
       ->required();
   tool.addThreads();

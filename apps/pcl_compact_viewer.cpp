@@ -109,7 +109,8 @@ addOptions(Tool& tool, ViewerOptions& options)
   CLI::App& app = tool.options();
   app.add_option("input",
                  options.input,
-                 "Mesh (.ply, .vtk), point cloud (.pcd, .ply, .obj, .xyz, .las, .e57), "
+                 "Mesh (.ply, .vtk), point cloud (.pcd, .ply, .obj, .xyz, .txt, .csv, "
+                 ".pts, .ptx, .las, .e57), "
                  "planes (.json) "
                  "or folder of a map, or of a rectification")
       ->type_name("FILE|DIR")
@@ -210,8 +211,7 @@ note(const PointCloudFile& file, std::vector<std::string>& remarks)
 ViewerInput
 loadFile(const std::string& path, const PointCloudReader& reader)
 {
-  SceneFile file = loadScene(path);
-  reader.apply(file.points);
+  SceneFile file = loadScene(path, reader);
   if (cloudExtent(file.points.points()).finite_points == 0)
     throw NothingFound(path + ": nothing to show, no point is finite");
   ViewerInput input;

@@ -41,7 +41,10 @@ void
 addOptions(Tool& tool, Options& options)
 {
   CLI::App& app = tool.options();
-  app.add_option("input", options.input, "Point cloud: .pcd, .ply, .obj or .xyz")
+  app.add_option(
+         "input",
+         options.input,
+         "Point cloud (.pcd, .ply, .obj, .xyz, .txt, .csv, .pts, .ptx, .las, .e57)")
       ->type_name("IN")
       ->required();
   app.add_option("output", options.output, "Triangle mesh to write: .ply or .vtk")
@@ -315,6 +318,7 @@ meshCloud(const Options& options, const RunControls& controls, StageLog& log)
   timer.finish("triangulate");
   log.warn(input.file.remarks);
   log.warn(report.remarks);
+  tellColumns(input.file.columns, log);
   if (!input.namesViews() && input.sensor.outcome != pcl::SensorOutcome::Stated)
     log.tell("sensor", describe(input.sensor));
   if (input.up && input.evidence.outcome != pcl::UpOutcome::Stated)

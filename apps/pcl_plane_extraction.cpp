@@ -40,7 +40,8 @@ addOptions(Tool& tool, Options& options)
   add("input",
       options.input,
       "IN",
-      "Point cloud (.pcd, .ply, .obj, .xyz, .las, .e57), or mesh (.ply or .obj with "
+      "Point cloud (.pcd, .ply, .obj, .xyz, .txt, .csv, .pts, .ptx, .las, .e57), or "
+      "mesh (.ply or .obj with "
       "faces)")
       ->required();
   add("output", options.output, "PLANES.json", "Planes to write, in metres: .json")

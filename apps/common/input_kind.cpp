@@ -96,7 +96,20 @@ kindOfFile(const std::string& path)
     return InputKind::CarmenLog;
   if (BagFile::isBag(path))
     return InputKind::Bag;
-  for (const char* known : {".pcd", ".ply", ".obj", ".xyz", ".las", ".laz", ".e57"})
+  for (const char* known : {".pcd",
+                            ".ply",
+                            ".obj",
+                            ".xyz",
+                            ".txt",
+                            ".csv",
+                            ".asc",
+                            ".pts",
+                            ".ptx",
+                            ".xyzrgb",
+                            ".xyzn",
+                            ".las",
+                            ".laz",
+                            ".e57"})
     if (ending == known)
       return InputKind::Cloud;
   const std::string bytes = firstBytes(path);

@@ -5,6 +5,7 @@
 #include <locale>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -23,6 +24,17 @@ readNumbers(const std::string& text, Eigen::Matrix<double, count, 1>& values)
     if ((i > 0 && !(numbers >> comma)) || comma != ',' || !(numbers >> values[i]))
       return false;
   return numbers.peek() == std::istringstream::traits_type::eof() && values.allFinite();
+}
+
+/** The parts between commas. */
+std::vector<std::string>
+wordsOf(const std::string& text)
+{
+  std::vector<std::string> words;
+  std::istringstream parts(text);
+  for (std::string word; std::getline(parts, word, ',');)
+    words.push_back(word);
+  return words;
 }
 
 /** The direction of x, -x, y, -y, z or -z, or of three numbers with commas.
@@ -49,7 +61,7 @@ stateSensor(PointCloudReader& reader, const std::string& text)
   if (text == "none")
     reader.setWithoutSensor();
   else if (readNumbers(text, origin))
-    reader.setSensorOrigin(origin.cast<float>());
+    reader.setSensorOrigin(origin);
   else
     throw CLI::ValidationError("--sensor-at",
                                text + " is neither none nor three numbers as 0,0,1.5");
@@ -119,15 +131,44 @@ addUp(CLI::App& app, PointCloudReader& reader, const std::string& more)
 }
 
 void
+addShift(CLI::App& app, PointCloudReader& reader)
+{
+  addSetter<std::string>(
+      app,
+      "--shift",
+      [&reader](const std::string& text) {
+        Eigen::Vector3d shift;
+        if (!readTriple(text, shift))
+          throw CLI::ValidationError("--shift",
+                                     text + " is no three numbers as 665000,5648000,0");
+        reader.setShift(shift);
+      },
+      "Metres to subtract from all coordinates, as 665000,5648000,0 [default: whole "
+      "kilometres where the points are beyond 10 km]",
+      "X,Y,Z")
+      ->group(input_group);
+}
+
+void
 addReading(CLI::App& app, PointCloudReader& reader)
 {
   addScale(app, reader);
+  addShift(app, reader);
+  addSetter<std::string>(
+      app,
+      "--columns",
+      [&reader](const std::string& text) { reader.setColumns(wordsOf(text)); },
+      "What the columns of a text are, as x,y,z,-,red,green,blue; - leaves one out "
+      "[default: by their names, else by their numbers]",
+      "NAMES")
+      ->group(input_group);
   addUp(app, reader);
   addSetter<std::string>(
       app,
       "--sensor-at",
       [&reader](const std::string& text) { stateSensor(reader, text); },
-      "Where the one sensor of a cloud was, metres, as 0,0,1.5; none: there was no "
+      "Where the one sensor of a cloud was, metres, in the coordinates of the file, as "
+      "0,0,1.5; none: there was no "
       "single one [default: the file's, or the origin where the points prove it]",
       "X,Y,Z|none")
       ->group(input_group);

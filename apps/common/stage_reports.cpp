@@ -113,9 +113,17 @@ describe(const CloudAssessmentReport::Unit& unit)
 }
 
 void
+tellColumns(const std::string& columns, StageLog& log)
+{
+  if (!columns.empty())
+    log.tell("columns", columns + "; --columns states others");
+}
+
+void
 tellAssessment(const CloudAssessmentReport& report, StageLog& log)
 {
   log.details["assessment"] = jsonOf(report);
+  tellColumns(report.text_columns, log);
   if (report.up.outcome != UpOutcome::Stated)
     log.tell("up", describe(report.up));
   if (!report.names_views && report.sensors.outcome != SensorOutcome::Stated)

@@ -22,8 +22,12 @@ tellDepthNoise(const NoiseScale::InverseDepth& noise, StageLog& log);
 void
 tellRefinement(const DepthRefinementReport& report, StageLog& log);
 
-/** \brief Tells what is assumed of a cloud and was not stated: the up direction, the sensor and
- * the noise, a line each with the option that states another; and all in the JSON report. */
+/** \brief Tells how the columns of a text were understood; nothing for other files. */
+void
+tellColumns(const std::string& columns, StageLog& log);
+
+/** \brief Tells what is assumed of a cloud and was not stated: the columns of a text, the up
+ * direction, the sensor and the noise, a line each with the option that states another; and all in the JSON report. */
 void
 tellAssessment(const CloudAssessmentReport& report, StageLog& log);
 

@@ -130,14 +130,14 @@ void
 addOptions(Tool& tool, ChainOptions& options)
 {
   CLI::App& app = tool.options();
-  app.add_option("input",
-                 options.input,
-                 "Raw session, folder of observations (.pcd, .ply or others, with "
-                 "trajectory.txt or poses.txt if there are poses), E57 file of several "
-                 "scans, bag "
-                 "of ROS (.mcap, .db3, .bag, or the folder of a recording), RGB-D "
-                 "folder, or one "
-                 "cloud (.pcd, .ply, .obj, .xyz, .las, .e57)")
+  app.add_option(
+         "input",
+         options.input,
+         "Raw session, folder of observations (.pcd, .ply or others, with "
+         "trajectory.txt or poses.txt if there are poses), E57 or PTX file of "
+         "several scans, bag of ROS (.mcap, .db3, .bag, or the folder of a "
+         "recording), RGB-D folder, or one cloud (.pcd, .ply, .obj, .xyz, .txt, "
+         ".csv, .pts, .ptx, .las, .e57)")
       ->type_name("INPUT")
       ->required();
   app.add_option("-o,--output", options.output, "Folder for the compact map")
@@ -202,12 +202,16 @@ requireSense(Tool& tool, const ChainOptions& options, StartingPoint start)
   if (start == StartingPoint::Cloud)
     for (const char* group : {motion_group, rectification_group})
       refuseGroup(tool, group, "is for observations, and " + what);
-  else if (tool.options().get_option("--sensor-at")->count() > 0)
-    throw UsageError("--sensor-at is for one cloud, and " + what);
+  else
+    for (const char* option : {"--sensor-at", "--columns"})
+      if (tool.options().get_option(option)->count() > 0)
+        throw UsageError(option + std::string(" is for one cloud, and ") + what);
   if (start == StartingPoint::Cloud && !options.truth.empty())
     throw UsageError("--truth is for observations, and " + what);
   if (start == StartingPoint::Session && tool.reader().getScale() != 1)
     throw UsageError("--scale is for point clouds, and " + what);
+  if (start == StartingPoint::Session && tool.reader().getShift())
+    throw UsageError("--shift is for point clouds, and " + what);
   if (!options.stereo.poses.empty())
     refuseGroup(tool, egomotion_group, "is not used where --poses are known");
   if (options.as_recorded && !options.stereo.poses.empty())

@@ -14,6 +14,7 @@
 
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/map_shift.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>
@@ -161,7 +162,9 @@ MapRun::setInput(const MapInput& input)
   else if (input.start == StartingPoint::Session || input.recorded)
     chain_.setFirstStage(observationStage(input));
   else
-    chain_.setInput(ObservationSequence(options_.input, controls_.reader.getScale()),
+    chain_.setInput(ObservationSequence(options_.input,
+                                        controls_.reader.getScale(),
+                                        controls_.reader.getShift()),
                     input.start == StartingPoint::PosedObservations);
 }
 
@@ -191,6 +194,8 @@ MapRun::observationStage(const MapInput& input)
             textOf(values_(is_session ? stereo_group : recording_group)) +
                 (is_session ? "" : textOf(values_(bag_group))));
     key.add("scale", controls_.reader.getScale());
+    if (const auto& shift = controls_.reader.getShift())
+      key.add("shift", shiftText(*shift));
     if (!options_.stereo.poses.empty())
       key.add("poses", stateOfFile(options_.stereo.poses));
   };

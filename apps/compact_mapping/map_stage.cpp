@@ -2,6 +2,7 @@
 
 #include "drawn_apart.h"
 
+#include <pcl/core/impl/map_shift.h>
 #include <pcl/core/map_up.h>
 #include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/texture/floor_plan.h>
@@ -13,8 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iomanip>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -174,12 +173,9 @@ tellShift(const CompactMap& map, StageLog& log)
 {
   if (map.shift.isZero(0))
     return;
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(0) << map.shift.x() << ", " << map.shift.y()
-       << ", " << map.shift.z();
   log.details["shift"] = {map.shift.x(), map.shift.y(), map.shift.z()};
   log.tell("coordinates",
-           "of the input less " + text.str() +
+           "of the input less " + shiftText(map.shift) +
                "; those of the input in floor_plan.dxf, .geojson and map.ifc");
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** \brief Number of scans of an E57 file; 0 if that cannot be told. */
+/** \brief Number of scans of an E57 or PTX file; 0 if that cannot be told. */
 std::size_t
 scansOf(const std::string& path)
 {
@@ -45,14 +45,22 @@ openRgbd(const std::string& path, std::size_t every, const RgbdOptions& options)
 }
 
 std::optional<ObservationSequence>
-openRecording(const std::string& path, const BagSettings& bag, const RgbdOptions& rgbd)
+openRecording(const std::string& path,
+              const BagSettings& bag,
+              const RgbdOptions& rgbd,
+              const PointCloudReader& reader)
 {
   if (inputKindOf(path) == InputKind::RgbdFolder)
     return openRgbd(path, bag.every, rgbd);
   if (inputKindOf(path) == InputKind::Bag)
     return ObservationSequence(openBag(path, bag));
-  if (endingOf(path) == ".e57" && scansOf(path) > 1)
-    return ObservationSequence(openScans(path));
+  const std::string ending = endingOf(path);
+  if ((ending == ".e57" || ending == ".ptx") && scansOf(path) > 1) {
+    std::optional<Eigen::Vector3d> shift = reader.getShift();
+    if (shift)
+      *shift /= reader.getScale(); // that of the scans is in the unit of the file
+    return ObservationSequence(openScans(path, shift));
+  }
   return {};
 }
 
@@ -102,12 +110,13 @@ MapInput
 openObservations(const std::string& path,
                  const BagSettings& bag,
                  bool skip_broken,
-                 const RgbdOptions& rgbd)
+                 const RgbdOptions& rgbd,
+                 const PointCloudReader& reader)
 {
   const auto observations = [](bool has_poses) {
     return has_poses ? StartingPoint::PosedObservations : StartingPoint::Observations;
   };
-  if (auto recorded = openRecording(path, bag, rgbd)) {
+  if (auto recorded = openRecording(path, bag, rgbd, reader)) {
     const StartingPoint start = observations(recorded->hasTrajectory());
     return {start, std::move(recorded)};
   }

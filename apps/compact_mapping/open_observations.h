@@ -3,6 +3,7 @@
 #include "rgbd_import/rgbd_options.h"
 #include "stage_log.h"
 
+#include <pcl/core/point_cloud_reader.h>
 #include <pcl/pipeline/bag_settings.h>
 #include <pcl/pipeline/observation_sequence.h>
 
@@ -38,13 +39,15 @@ struct MapInput {
  * a folder of them.
  * \param[in] bag how a bag is read; an RGB-D folder takes each n-th frame, too
  * \param[in] skip_broken ignore PCDs that cannot be read
+ * \param[in] reader with the shift that is stated
  * \throws InputFileException when it is another folder, or a bag or the header of a PCD
  * cannot be read */
 MapInput
 openObservations(const std::string& path,
                  const BagSettings& bag,
                  bool skip_broken,
-                 const RgbdOptions& rgbd = {});
+                 const RgbdOptions& rgbd,
+                 const PointCloudReader& reader);
 
 /** \brief Writes the observations of a file as a folder of PCDs, with trajectory.txt if
  * their poses are known, as a step of the chain. The detail `shift` is that of the

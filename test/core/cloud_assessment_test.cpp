@@ -67,7 +67,7 @@ TEST(CloudAssessment, takesWhatIsStatedWithoutAsking)
   PointCloudFile file = *fileOf(PointCloud<PointXYZ>::ConstPtr(cloud));
   PointCloudReader reader;
   reader.setUpDirection({0, -3, 0});
-  reader.setSensorOrigin({1, 2, 1.5F});
+  reader.setSensorOrigin({1, 2, 1.5});
   reader.setScale(0.5);
   reader.apply(file);
   const CloudAssessmentReport report =

@@ -27,8 +27,8 @@ loadFrom(const TemporaryFolder& folder, const LasFile& las)
 TEST(LasReader, AllVersionsAndFormatsHaveTheirPoints)
 {
   const TemporaryFolder folder;
-  for (int minor = 0; minor <= 4; ++minor)
-    for (int format = 0; format <= (minor == 4 ? 10 : 5); ++format) {
+  for (int minor = 0; minor <= 5; ++minor)
+    for (int format = 0; format <= (minor >= 4 ? 10 : 5); ++format) {
       LasFile las(minor, format);
       const std::size_t classification = format < 6 ? 15 : 16;
       for (std::size_t i = 0; i < las.points; ++i) {
@@ -103,6 +103,23 @@ TEST(LasReader, NationalGridsKeepTheirMillimetres)
   EXPECT_EQ(scaled.shift, file.shift / 2);
 }
 
+TEST(LasReader, PointsThatWereNotMeasuredDoNotDecideTheShift)
+{
+  const TemporaryFolder folder;
+  LasFile las(2, 0, Eigen::Vector3d(635619.25, 5848899.5, 412.125));
+  const Eigen::Vector3i nowhere(-635619250, -1, -412125);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    las.set<std::int32_t>(las.at(0) + 4 * axis, nowhere[static_cast<int>(axis)]);
+  las.set(155 + 8, 0.001); // the first point is (0, 0, 0), the others near it in y
+  const PointCloudFile file = loadFrom(folder, las);
+  EXPECT_EQ(file.shift, Eigen::Vector3d(635000, 0, 0));
+  EXPECT_FALSE(file.points()[0].allFinite());
+  EXPECT_TRUE(file.points()[1].allFinite());
+  EXPECT_EQ(file.cloud.is_dense, 0);
+  EXPECT_THAT(file.remarks,
+              testing::Contains(HasSubstr("1 of its points are at (0, 0, 0)")));
+}
+
 TEST(LasReader, UglyFilesAreRefusedWithTheirFault)
 {
   const TemporaryFolder folder;
@@ -115,8 +132,8 @@ TEST(LasReader, UglyFilesAreRefusedWithTheirFault)
   las.bytes[0] = 'X';
   expectFault(las, "no LAS file");
   las = LasFile(2, 0);
-  las.set<std::uint8_t>(25, 5);
-  expectFault(las, "LAS 1.5");
+  las.set<std::uint8_t>(25, 6);
+  expectFault(las, "LAS 1.6");
   las = LasFile(2, 0);
   las.set<std::uint8_t>(104, 0x80);
   expectFault(las, "packed by LASzip");

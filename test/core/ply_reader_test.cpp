@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace pcl::acmap::test {
 namespace {
@@ -204,17 +205,6 @@ TEST(PlyReader, seesTheLastPointThatIsNotFinite)
     EXPECT_FALSE(loadPly(manyRows("binary_little_endian", little, bad)).cloud.is_dense);
 }
 
-TEST(PlyReader, leavesColoursOfOtherTypesAsTheyAre)
-{
-  const PointCloudFile file = loadPly(
-      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-      "property float z\nproperty float red\nproperty float green\nproperty float "
-      "blue\n"
-      "end_header\n1 2 3 .5 .25 1\n");
-  EXPECT_THAT(namesOf(file.cloud), ElementsAre("x", "y", "z", "red", "green", "blue"));
-  EXPECT_TRUE(file.remarks.empty());
-}
-
 TEST(PlyReader, takesAnHonestEmptyCloud)
 {
   for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
@@ -228,18 +218,67 @@ TEST(PlyReader, takesAnHonestEmptyCloud)
   }
 }
 
-TEST(PlyReader, remarksOnCoordinatesTooLargeForFloat)
+TEST(PlyReader, remarksOnCoordinatesTooFarApartForFloat)
 {
-  EXPECT_THAT(loadPly("ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\n"
+  EXPECT_THAT(loadPly("ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
                       "property double y\nproperty double z\nend_header\n"
-                      "0 5100000.25 nan\n0 5100000.25 0\n")
-                  .remarks,
-              ElementsAre());
-  EXPECT_THAT(loadPly("ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\n"
-                      "property double y\nproperty double z\nend_header\n"
-                      "0 5100000.25 0\n")
+                      "0 5100000.25 0\n0 1 0\n0 2 0\n")
                   .remarks,
               ElementsAre(HasSubstr("rounds them to 0.5 m")));
+}
+
+std::string
+verticesOf(const std::string& properties, const std::string& rows)
+{
+  return "ply\nformat ascii 1.0\nelement vertex 2\n" + properties + "end_header\n" +
+         rows;
+}
+
+const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+
+TEST(PlyReader, takesColoursOfAllNamesAndRanges)
+{
+  const auto colours =
+      [](const std::string& type, const char* names, const char* rows) {
+        std::string properties = xyz;
+        std::istringstream words(names);
+        for (std::string name; words >> name;)
+          properties += "property " + type + " " + name + "\n";
+        const auto cloud = loadPly(verticesOf(properties, rows)).cloud;
+        EXPECT_THAT(namesOf(cloud), ElementsAre("x", "y", "z", "rgb")) << names;
+        return bytesOf(cloud, "rgb");
+      };
+  const auto expected = ElementsAre(0, 128, 255, 0, 51, 0, 0, 0);
+  EXPECT_THAT(colours("uint8_t", "R G B", "1 2 3 255 128 0\n4 5 6 0 0 51\n"), expected);
+  EXPECT_THAT(colours("uchar",
+                      "diffuse_red diffuse_green diffuse_blue",
+                      "1 2 3 255 128 0\n4 5 6 0 0 51\n"),
+              expected);
+  EXPECT_THAT(colours("float", "red green blue", "1 2 3 1 0.5 0\n4 5 6 0 0 0.2\n"),
+              expected);
+  EXPECT_THAT(colours("double", "r g b", "1 2 3 255 128 0\n4 5 6 0 0 51\n"), expected);
+  EXPECT_THAT(
+      colours("ushort", "red green blue", "1 2 3 65535 32896 0\n4 5 6 0 0 13107\n"),
+      expected);
+}
+
+TEST(PlyReader, readsRowsThatAreBrokenIntoLines)
+{
+  const std::string bytes =
+      "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  const auto file = loadPly(verticesOf(xyz + bytes, "1 2 3 \n9 8 7 \n4 5\n6\n1 2 3\n"));
+  EXPECT_EQ(file.points()[1], Eigen::Vector3f(4, 5, 6));
+  EXPECT_THAT(bytesOf(file.cloud, "rgb"), ElementsAre(7, 8, 9, 0, 3, 2, 1, 0));
+  EXPECT_THROW(loadPly(verticesOf(xyz, "1 2\n4 5 6\n7 8 9\n")), InputFileException);
+}
+
+TEST(PlyReader, readsCapitalsAndFlags)
+{
+  const auto file = loadPly(verticesOf(
+      "property float X\nproperty float Y\nproperty bool seen\nproperty float Z\n",
+      "1 2 1 3\n4 5 0 6\n"));
+  EXPECT_EQ(file.points()[1], Eigen::Vector3f(4, 5, 6));
+  EXPECT_THAT(bytesOf(file.cloud, "seen"), ElementsAre(1, 0));
 }
 
 } // namespace

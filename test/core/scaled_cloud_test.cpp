@@ -69,9 +69,9 @@ void
 expectRowsOfCloud(const std::string& path)
 {
   for (const double scale : {1.0, 0.001}) {
-    const PointCloudFile expected = loadScaledCloud(path, scale);
+    const PointCloudFile expected = loadStatedCloud(path, {scale, {}, {}});
     PointCloudFile file;
-    const CloudRows rows = loadCloudRows(path, scale, file);
+    const CloudRows rows = loadCloudRows(path, {scale, {}, {}}, file);
     EXPECT_TRUE(file.cloud.data.empty()) << path;
     EXPECT_TRUE(rows.copy().data == expected.cloud.data) << path;
     EXPECT_EQ(rows.layout().width, expected.cloud.width) << path;
@@ -98,7 +98,7 @@ TEST(CloudRowsOfAFile, AreThoseOfItsCloud)
   for (const std::string& path : writeEncodings(cloud))
     expectRowsOfCloud(path);
   PointCloudFile none;
-  EXPECT_THROW(loadCloudRows("/no/such.pcd", 1, none), InputFileException);
+  EXPECT_THROW(loadCloudRows("/no/such.pcd", {}, none), InputFileException);
 }
 
 /** A scan of 200 rows, written column by column from right to left, with holes. */
@@ -187,7 +187,7 @@ TEST(CloudRowsOfAFile, OfScannersAreReadInLessMemoryThanThey)
           const ScratchMemory scratch(testing::TempDir(), std::size_t{16} << 20);
           limitMemory(memory);
           PointCloudFile file;
-          const CloudRows rows = loadCloudRows(path, 1, file);
+          const CloudRows rows = loadCloudRows(path, {}, file);
           std::_Exit(rows.size() == points && rows.bytes() > memory ? 0 : 1);
         },
         testing::ExitedWithCode(0),
@@ -212,7 +212,7 @@ TEST(CloudRowsOfAFile, AreThoseOfRealScanners)
     }
     catch (const InputFileException&) {
       PointCloudFile none;
-      EXPECT_THROW(loadCloudRows(path, 1, none), InputFileException) << path;
+      EXPECT_THROW(loadCloudRows(path, {}, none), InputFileException) << path;
     }
   }
   EXPECT_GE(read, 20U);

@@ -2,9 +2,13 @@
 #include "temporary_folder.h"
 
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/core/point_cloud_reader.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
 
 namespace pcl::acmap::test {
 namespace {
@@ -38,19 +42,128 @@ TEST(XyzReader, takesEverySeparatorAndComment)
   EXPECT_THAT(file.remarks, IsEmpty());
 }
 
-TEST(XyzReader, remarksOnLinesAboveTheRows)
+TEST(XyzReader, understandsLinesAboveTheRows)
 {
   const auto names = loadText("a.xyz", "X Y Z\n1 2 3\n4 5 6");
   expectOneToSix(names);
-  EXPECT_THAT(names.remarks, ElementsAre(HasSubstr("line of names")));
+  EXPECT_THAT(names.remarks, IsEmpty());
   const auto count = loadText("a.xyz", "2\n1 2 3\n4 5 6");
   expectOneToSix(count);
   EXPECT_THAT(count.remarks, ElementsAre(HasSubstr("count of the points")));
   const auto wrong = loadText("a.xyz", "7\nx y z\n1 2 3\n4 5 6");
   expectOneToSix(wrong);
-  EXPECT_THAT(wrong.remarks,
-              ElementsAre(HasSubstr("line of names"),
-                          HasSubstr("claims 7 points, the file has 2")));
+  EXPECT_THAT(wrong.remarks, ElementsAre(HasSubstr("claims 7 points, the file has 2")));
+  const auto title = loadText("a.xyz", "the hall, May\n1 2 3 4 5\n4 5 6 4 5");
+  expectOneToSix(title);
+  EXPECT_THAT(title.remarks, ElementsAre(HasSubstr("line of text")));
+}
+
+/** A text, and how its columns are told. */
+struct TextColumns {
+  const char* text;
+  const char* told;
+};
+
+TEST(TextReader, NamesDecide)
+{
+  for (const auto& [text, told] : std::initializer_list<TextColumns>{
+           {"id,x,y,z\n7,1,2,3\n9,4,5,6\n", "id (left out), x, y, z"},
+           {"\"Z\";\"Y\";\"X\"\n3;2;1\n6;5;4\n", "z, y, x"},
+           {"//X Y Z\n1 2 3\n4 5 6\n", "x, y, z"},
+           {"# x y z nx ny nz\n1 2 3 0 0 1\n4 5 6 0 0 1\n",
+            "x, y, z, normal_x, normal_y, normal_z"},
+           {"x [m]\ty [m]\tz [m]\tnote\n1\t2\t3\tred\n4\t5\t6\tblue\n",
+            "x, y, z, note (left out)"},
+           {"easting,northing,elevation,r,g\n1,2,3,4,5\n4,5,6,7,8\n",
+            "x, y, z, r (left out), g (left out)"},
+           {"\xef\xbb\xbf"
+            "1 2 3\r\n4 5 6\r\n",
+            "x, y, z"},
+           {"1,0\t2,0\t3,0\n4,0\t5,0\t6,0\n", "x, y, z, with decimal commas"},
+           {"1,0;2,0;3\n4,0;5;6,0\n", "x, y, z, with decimal commas"},
+           {"1,2,3,\n4,5,6,\n", "x, y, z"},
+           {"1 1.0 2.0 3.5\n", "x, y, z, column 4 (left out)"}}) {
+    const PointCloudFile file = loadText("a.csv", text);
+    EXPECT_EQ(file.columns, told) << text;
+    if (file.points().size() == 2)
+      expectOneToSix(file);
+  }
+}
+
+std::string
+rowsOf(std::size_t count, const std::function<std::string(std::size_t)>& row)
+{
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i)
+    text += row(i) + "\n";
+  return text;
+}
+
+TEST(TextReader, NumbersSayWhatHasNoNames)
+{
+  const auto told = [](const std::string& rest, const char* name = "a.txt") {
+    return loadText(name,
+                    rowsOf(30,
+                           [&](std::size_t i) {
+                             return std::to_string(0.5 + i) + " 2.5 3.5 " + rest;
+                           }))
+        .columns;
+  };
+  EXPECT_EQ(told("200 3 9"), "x, y, z, red, green, blue");
+  EXPECT_EQ(told("0.25 0.5 0.1"), "x, y, z, red, green, blue");
+  EXPECT_EQ(told("0.6 0.8 0.0").find("red"), std::string::npos) << "a normal";
+  EXPECT_EQ(told("3 1 2").find("red"), std::string::npos) << "echoes";
+  EXPECT_EQ(told("1200 200 3 9"), "x, y, z, column 4 (left out), red, green, blue");
+  EXPECT_EQ(told("200 3 9 255"), "x, y, z, red, green, blue, column 7 (left out)");
+  EXPECT_EQ(told("100 200 3 9").find("red"), std::string::npos) << "two places";
+  EXPECT_EQ(told("100 200 3 9", "a.pts"), "x, y, z, intensity, red, green, blue");
+  const auto counted = loadText("a.xyz", rowsOf(30, [](std::size_t i) {
+                                  return std::to_string(i + 1) + " 1 2 3";
+                                }));
+  EXPECT_EQ(counted.columns, "column 1 (left out), x, y, z");
+  EXPECT_EQ(counted.points()[4], Eigen::Vector3f(1, 2, 3));
+}
+
+TEST(TextReader, ColoursHaveThreeRanges)
+{
+  for (const char* rows :
+       {"1 2 3 1.0 0.5 0.0\n4 5 6 0.0 0.0 0.2\n", "1 2 3 255 128 0\n4 5 6 0 0 51\n"})
+    EXPECT_THAT(bytesOf(loadText("a.txt", rows).cloud, "rgb"),
+                ElementsAre(0, 128, 255, 0, 51, 0, 0, 0))
+        << rows;
+  const auto wide =
+      loadText("a.txt", "x y z red green blue\n1 2 3 65535 32896 0\n4 5 6 0 0 13107\n");
+  EXPECT_THAT(bytesOf(wide.cloud, "rgb"), ElementsAre(0, 128, 255, 0, 51, 0, 0, 0));
+  EXPECT_THROW(loadText("a.txt",
+                        rowsOf(3000,
+                               [](std::size_t i) {
+                                 return std::string("1 2 3 ") +
+                                        (i < 2999 ? "200" : "4000") + " 1 2";
+                               })),
+               InputFileException);
+}
+
+TEST(TextReader, StatedColumnsHold)
+{
+  const TemporaryFolder folder;
+  PointCloudReader reader;
+  reader.setColumns({"-", "z", "y", "x", "-", "i"});
+  const PointCloudFile file =
+      reader.read(folder.write("a.txt", "a b c d e f\n9 3 2 1 9 0.5\n9 6 5 4 9 1.5\n"));
+  expectOneToSix(file);
+  EXPECT_EQ(valueOf<float>(file.cloud, "intensity", 1), 1.5F);
+  EXPECT_THROW(reader.setColumns({"x", "y"}), BadArgumentException);
+  EXPECT_THROW(reader.setColumns({"x", "y", "z", "x"}), BadArgumentException);
+  EXPECT_THROW(reader.setColumns({"x", "y", "z", "w"}), BadArgumentException);
+  EXPECT_THROW(reader.read(folder.write("a.obj", "v 1 2 3\n")), InputFileException);
+}
+
+TEST(PtsReader, BlocksHaveTheirCounts)
+{
+  const auto file = loadText("a.pts", "1\n1 2 3 -800 255 128 0\n1\n4 5 6 90 0 0 51\n");
+  expectOneToSix(file);
+  EXPECT_THAT(namesOf(file.cloud), ElementsAre("x", "y", "z", "rgb", "intensity"));
+  EXPECT_THAT(file.remarks, IsEmpty());
 }
 
 TEST(XyzReader, keepsPointsThatAreNotFinite)
@@ -60,9 +173,9 @@ TEST(XyzReader, keepsPointsThatAreNotFinite)
   EXPECT_EQ(file.cloud.is_dense, 0);
 }
 
-TEST(XyzReader, remarksOnCoordinatesTooLargeForFloat)
+TEST(XyzReader, remarksOnCoordinatesTooFarApartForFloat)
 {
-  EXPECT_THAT(loadText("a.xyz", "1 2 131072.5\n").remarks,
+  EXPECT_THAT(loadText("a.xyz", "1 2 0.5\n1 2 131072.5\n1 2 1.5\n").remarks,
               ElementsAre(HasSubstr("rounds them to 0.015625 m")));
 }
 

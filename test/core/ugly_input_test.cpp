@@ -91,6 +91,13 @@ plyVertices(const std::string& count)
          "\nproperty float x\nproperty float y\nproperty float z\n";
 }
 
+std::string
+ptxHeader(int columns, int rows, const std::string& first_row)
+{
+  return std::to_string(columns) + "\n" + std::to_string(rows) +
+         "\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" + first_row + "\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+}
+
 const std::string compressed = "binary_compressed";
 const std::string little = "binary_little_endian";
 const std::string faces = "element face 4000000000\nproperty list uchar int corners\n";
@@ -106,7 +113,7 @@ const UglyRefusal any_format[] = {
     {"garbagePcd", ".pcd", garbage(3000), "is no entry of a PCD header"},
     {"garbagePly", ".ply", garbage(3000), "is not a PLY file"},
     {"garbageObj", ".obj", garbage(3000), "has no vertex"},
-    {"garbageXyz", ".xyz", garbage(3000), "is not a number"},
+    {"garbageXyz", ".xyz", garbage(3000), "no row of three numbers"},
     {"noLineEnd", ".pcd", std::string(600000, '#'), "is too long for a line of text"}};
 
 const UglyRefusal pcd_header[] = {
@@ -274,7 +281,22 @@ const UglyRefusal text_files[] = {
     {"xyzWithoutRows", ".xyz", "# nothing\n", "no row of three numbers"},
     {"xyzTwoColumns", ".xyz", "1 2 3\n4 5\n", "line 2: has fewer than three numbers"},
     {"xyzWord", ".xyz", "1 2 3\n4 five 6\n", "line 2: 'five' is not a number"},
-    {"xyzTwoHeaders", ".xyz", "a b c\nd e f\n1 2 3\n", "line 2: 'd' is not a number"},
+    {"xyzTwoHeaders", ".xyz", "a b c\nd e f\n1 2 3\n", "2 lines that are no points"},
+    {"csvForeignNames", ".csv", "Rechts;Hoch;Hoehe\n1;2;3\n", "--columns x,y,z"},
+    {"csvDegrees", ".csv", "lat,lon,h\n51.1,7.2,3\n", "latitude"},
+    {"txtThousands", ".txt", "1,234.5 2,345.5 3\n", "without commas"},
+    {"txtTwoReadings", ".txt", "1,234 2,345 3,456\n", "decimal points only"},
+    {"csvDecimalCommas", ".csv", "0,050,1,500,2,250\n", "decimal commas"},
+    {"csvWords", ".csv", "P1,1,2,3\nP2,1,2,4\n", "--columns -,x,y,z"},
+    {"txtTwoOrders", ".txt", "3 1.5 2.5 3.5\n7 1.5 2.5 4.5\n", "--columns -,x,y,z"},
+    {"txtUtf16", ".txt", std::string("\xff\xfe\x31\0", 4), "UTF-16"},
+    {"txtCarriageReturns", ".txt", "1 2 3\r4 5 6\r", "CR alone"},
+    {"txtPoses", ".txt", "1305031.5 1.5 2.5 0.5 0 0 0.6 0.8\n", "list of poses"},
+    {"ascGrid", ".asc", "ncols 3\nnrows 1\n1 2 3\n", "gdal_translate"},
+    {"ptxHeader", ".ptx", "2\n1\n0 0 0\n", "header"},
+    {"ptxPose", ".ptx", ptxHeader(1, 1, "2 0 0 0") + "1 2 3 0.5\n", "no rotation"},
+    {"ptxColumns", ".ptx", ptxHeader(1, 1, "1 0 0 0") + "1 2 3 4 5\n", "rows of 5"},
+    {"ptxWord", ".ptx", ptxHeader(1, 1, "1 0 0 0") + "1 two 3 4\n", "'1 two 3 4'"},
     {"xyzTooLargeNumber", ".xyz", "1 2 3\n1 2 1e999\n", "'1e999' is not a number"},
     {"objWithoutVertices", ".obj", "f 1 2 3\n", "has no vertex"},
     {"objTwoNumbers", ".obj", "v 1 2\n", "line 1: vertex has fewer than three numbers"},

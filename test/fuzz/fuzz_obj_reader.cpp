@@ -9,9 +9,10 @@ using namespace pcl::acmap;
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  test::readFuzzed(data, size, readObj);
+  const auto read = [](ByteSource& source) { return readObj(source); };
+  test::readFuzzed(data, size, read);
   const auto mesh = test::acceptedBy(readObjFaces, data, size);
-  const auto file = test::acceptedBy(readObj, data, size);
+  const auto file = test::acceptedBy(read, data, size);
   if (mesh && file) {
     const std::size_t points = file->points().size();
     test::require(mesh->wall_depth.empty());

@@ -5,5 +5,7 @@
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  return pcl::acmap::test::readFuzzed(data, size, pcl::acmap::readXyz);
+  return pcl::acmap::test::readFuzzed(data, size, [](pcl::acmap::ByteSource& source) {
+    return pcl::acmap::readText(source);
+  });
 }

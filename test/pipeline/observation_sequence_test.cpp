@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 
 namespace pcl::acmap::test {
@@ -177,6 +178,72 @@ TEST_F(Observations, ThatCannotBeReadAreNamed)
   EXPECT_THROW(sequence.load(1), InputFileException);
   EXPECT_THROW(ObservationSequence(folder_.path("nowhere")), InputFileException);
   EXPECT_THROW(ObservationSequence(std::vector<std::string>()), BadArgumentException);
+}
+
+/** A PCD of doubles with three points. */
+std::string
+pcdNear(const Eigen::Vector3d& place)
+{
+  std::string text = "VERSION 0.7\nFIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nCOUNT 1 1 1\n"
+                     "WIDTH 3\nHEIGHT 1\nPOINTS 3\nDATA ascii\n";
+  for (int i = 0; i < 3; ++i) {
+    char row[100];
+    std::snprintf(row,
+                  sizeof row,
+                  "%.4f %.4f %.4f\n",
+                  place.x() + 0.001 * i,
+                  place.y(),
+                  place.z());
+    text += row;
+  }
+  return text;
+}
+
+TEST(ObservationsInAGrid, AreShiftedTogether)
+{
+  const TemporaryFolder folder;
+  const Eigen::Vector3d first(665305.663, 5648402.759, 248.695),
+      second(664999.25, 5648999.5, 250);
+  folder.write(observationName(0), pcdNear(first));
+  folder.write(observationName(1), pcdNear(second));
+  Trajectory trajectory;
+  trajectory.stamps = {0, 1};
+  trajectory.poses = {poseAt(0), poseAt(0.5)};
+  saveTrajectory(folder.path(trajectory_name), trajectory);
+  const auto expectPlaces = [&](const ObservationSequence& sequence) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const PosedObservation seen = sequence.load(i);
+      const Eigen::Vector3d place =
+          seen.T_map_camera * seen.file->points()[0].cast<double>() + sequence.shift();
+      const Eigen::Vector3d expected =
+          i == 0 ? first : (second + Eigen::Vector3d(0.5, 0, 0)).eval();
+      EXPECT_LT((place - expected).norm(), 1e-4);
+      EXPECT_LT(seen.T_map_camera.translation().norm(), 1001);
+    }
+  };
+  const ObservationSequence sequence(folder.path(""));
+  EXPECT_EQ(sequence.shift(), Eigen::Vector3d(665000, 5648000, 0));
+  EXPECT_EQ(sequence.load(1).file->shift, sequence.shift()) << "that of the first file";
+  EXPECT_THAT(sequence.remarks(), ElementsAre(HasSubstr("665000, 5648000, 0")));
+  expectPlaces(sequence);
+  const ObservationSequence stated(
+      folder.path(""), 1, Eigen::Vector3d(665300, 5648400, 200));
+  EXPECT_EQ(stated.shift(), Eigen::Vector3d(665300, 5648400, 200));
+  expectPlaces(stated);
+}
+
+TEST(ObservationsInAGrid, MayHaveOnlyTheirPosesThere)
+{
+  const TemporaryFolder folder;
+  folder.write(observationName(0), pcdNear({1, 2, 3}));
+  folder.write(observationName(1), pcdNear({1, 2, 3}));
+  Trajectory trajectory;
+  trajectory.stamps = {0, 1};
+  trajectory.poses = {poseAt(665305.663), poseAt(665306.125)};
+  saveTrajectory(folder.path(trajectory_name), trajectory);
+  const ObservationSequence sequence(folder.path(""));
+  EXPECT_EQ(sequence.shift(), Eigen::Vector3d(665000, 0, 0));
+  EXPECT_NEAR(sequence.pose(1).translation().x(), 306.125, 1e-4);
 }
 
 } // namespace

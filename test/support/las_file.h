@@ -25,7 +25,10 @@ public:
     constexpr std::array<std::size_t, 11> sizes = {
         20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
     record_ = sizes[static_cast<std::size_t>(format)] + 2; // with bytes of the user
-    const std::size_t header = minor == 4 ? 375 : minor == 3 ? 235 : 227;
+    const std::size_t header = minor == 5   ? 393
+                               : minor == 4 ? 375
+                               : minor == 3 ? 235
+                                            : 227;
     bytes.assign(header + 10, '\0'); // and a gap
     std::memcpy(bytes.data(), "LASF", 4);
     set<std::uint8_t>(24, 1);
@@ -34,12 +37,12 @@ public:
     set<std::uint32_t>(96, static_cast<std::uint32_t>(bytes.size()));
     set<std::uint8_t>(104, static_cast<std::uint8_t>(format));
     set<std::uint16_t>(105, static_cast<std::uint16_t>(record_));
-    set<std::uint32_t>(107, minor == 4 ? 0 : points);
+    set<std::uint32_t>(107, minor >= 4 ? 0 : points);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       set(131 + 8 * axis, scale);
       set(155 + 8 * axis, place_[static_cast<Eigen::Index>(axis)]);
     }
-    if (minor == 4)
+    if (minor >= 4)
       set<std::uint64_t>(247, points);
     first_ = bytes.size();
     bytes.resize(first_ + points * record_);

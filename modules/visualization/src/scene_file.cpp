@@ -237,16 +237,19 @@ readVtkMesh(const std::string& path)
 namespace pcl {
 
 SceneFile
-loadScene(const std::string& path)
+loadScene(const std::string& path, const PointCloudReader& reader)
 {
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
     return static_cast<char>(std::tolower(c));
   });
-  if (ending == ".vtk")
-    return acmap::readVtkMesh(path);
   SceneFile scene;
-  scene.points = loadPointCloud(path);
+  if (ending == ".vtk") {
+    scene = acmap::readVtkMesh(path);
+    reader.apply(scene.points);
+    return scene;
+  }
+  scene.points = reader.read(path);
   if (ending == ".ply" || ending == ".obj")
     scene.mesh = loadTriangleMesh(path);
   return scene;

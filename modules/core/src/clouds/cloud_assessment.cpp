@@ -154,6 +154,7 @@ CloudAssessment::compute()
   const PCLPointCloud2& layout = rows_.layout();
   report.columns = layout.height > 1 ? layout.width : 0;
   report.shift = file_->shift;
+  report.text_columns = file_->columns;
   report.colors = colorsIn(rows_);
   timer.finish("points");
   report.names_views = findField(layout, "view", PCLPointField::INT32);

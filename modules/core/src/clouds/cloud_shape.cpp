@@ -1,8 +1,9 @@
+#include "clouds/coordinate_shift.h"
 #include "clouds/point_cloud_readers.h"
 #include "files/byte_source.h"
-#include <pcl/core/impl/large_memory.h>
 
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/large_memory.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,13 +46,15 @@ areFinite(const std::uint8_t* coordinates, std::size_t step, std::size_t count)
   return carried <= magnitude;
 }
 
-/** \brief Largest magnitude of a coordinate of the finite points. */
+/** \brief Largest magnitude of a coordinate of the finite points.
+ * \param[in] zero a place that does not count */
 float
-largestOf(const PointView& points)
+largestOf(const PointView& points, const Eigen::Vector3f& zero)
 {
   float largest = 0.0F;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (const Eigen::Vector3f point = points[i]; point.allFinite())
+    if (const Eigen::Vector3f point = points[i];
+        point.allFinite() && !isAt(point, zero))
       largest = std::max(largest, point.cwiseAbs().maxCoeff());
   return largest;
 }
@@ -120,7 +123,8 @@ CoordinateCheck::add(const std::uint8_t* coordinates,
 {
   dense_ = dense_ && areFinite(coordinates, step, count);
   if (narrowed_)
-    largest_ = std::max(largest_, largestOf(PointView(coordinates, step, count)));
+    largest_ =
+        std::max(largest_, largestOf(PointView(coordinates, step, count), zero_));
 }
 
 void
@@ -143,8 +147,64 @@ CoordinateCheck::finish(PointCloudFile& file) const
       std::nextafter(largest_, std::numeric_limits<float>::max()) - largest_;
   std::ostringstream remark;
   remark << "coordinates reach " << largest_ << " m; float32 rounds them to " << step
-         << " m: subtract an offset first";
+         << " m: --shift subtracts another offset first";
   file.remarks.push_back(remark.str());
+}
+
+void
+shiftPlaces(const std::vector<double>& places,
+            const CloudStatement& stated,
+            bool is_rounded,
+            PointCloudFile& file)
+{
+  const std::size_t count = places.size() / 3,
+                    stride = count / CoordinateSample::enough + 1;
+  const auto place = [&](std::size_t i) {
+    return Eigen::Vector3d(places[3 * i], places[3 * i + 1], places[3 * i + 2]);
+  };
+  CoordinateSample sample;
+  for (std::size_t i = 0; i < count; i += stride)
+    sample.add(place(i));
+  const Eigen::Vector3d shift = sample.shift(stated);
+  if (shift.isZero(0))
+    return;
+  const std::size_t x = findField(file.cloud, "x")->offset;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d near = place(i) - shift;
+    const Eigen::Vector3f point(
+        narrowed(near.x()), narrowed(near.y()), narrowed(near.z()));
+    std::memcpy(
+        &file.cloud.data[i * file.cloud.point_step + x], point.data(), sizeof point);
+  }
+  setShift(shift, stated, file);
+  if (is_rounded)
+    remarkLostDigits(shift, stated, file);
+}
+
+Eigen::Vector3d
+RecordBlocks::findShift(ByteSource& source,
+                        const FieldLayout& layout,
+                        bool swap_bytes,
+                        std::uint64_t count,
+                        const CloudStatement& stated)
+{
+  constexpr std::uint64_t places = 64, together = CoordinateSample::enough / places;
+  const std::size_t step = layout.source_step;
+  const std::uint64_t begin = source.size() - source.remaining();
+  CoordinateSample sample;
+  std::vector<std::uint8_t> records;
+  for (std::uint64_t at = 0; at < count; at += std::max(count / places, together)) {
+    const auto now = static_cast<std::size_t>(std::min(together, count - at));
+    records.resize(now * step);
+    source.moveTo(begin + at * step);
+    source.read(records.data(), records.size());
+    if (swap_bytes)
+      swapRecords(layout, records.data(), now);
+    for (std::size_t i = 0; i < now; ++i)
+      sample.add(layout.placeIn(&records[i * step]));
+  }
+  source.moveTo(begin);
+  return sample.shift(stated);
 }
 
 // Blocks fit into the cache, and are long enough to bypass the buffer of the source.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
 
 namespace pcl::acmap {
 
@@ -128,9 +129,8 @@ struct GridPlace {
 /** \brief Makes points of the records of scans, packed as \ref fieldsOf. */
 class E57Cloud {
 public:
-  /** \param[in] shift to be subtracted from coordinates; none: that of the first point that
-   * is finite */
-  E57Cloud(const E57Shape& shape, const std::optional<Eigen::Vector3d>& shift)
+  /** \param[in] shift to be subtracted from coordinates */
+  E57Cloud(const E57Shape& shape, const Eigen::Vector3d& shift)
   : shape_(shape)
   , shift_(shift)
   {
@@ -147,16 +147,9 @@ public:
   add(const E57Scan& scan,
       std::int32_t view,
       const Eigen::Isometry3d& T_frame_scan,
-      E57Pages& pages,
+      ScanReader& reader,
       std::size_t step,
       Bytes& data);
-
-  /** \brief The shift: coordinates of the file minus those of the points, metres. */
-  Eigen::Vector3d
-  shift() const
-  {
-    return shift_.value_or(Eigen::Vector3d::Zero());
-  }
 
   /** \brief Where the points are in the grid of their scan, if it has one. */
   const LargeVector<GridPlace>&
@@ -166,16 +159,8 @@ public:
   }
 
 private:
-  Eigen::Vector3f
-  nearby(const Eigen::Vector3d& place)
-  {
-    if (!shift_ && place.allFinite())
-      shift_ = coordinateShift(place);
-    return (place - shift()).cast<float>();
-  }
-
   const E57Shape& shape_;
-  std::optional<Eigen::Vector3d> shift_;
+  Eigen::Vector3d shift_;
   LargeVector<GridPlace> places_;
 };
 
@@ -184,25 +169,26 @@ void
 E57Cloud::add(const E57Scan& scan,
               std::int32_t view,
               const Eigen::Isometry3d& T_frame_scan,
-              E57Pages& pages,
+              ScanReader& reader,
               std::size_t step,
               Bytes& data)
 {
-  const PlaceOfRecord place_of(scan, pages.source());
+  const PlaceOfRecord place_of(scan, reader.source());
   const std::size_t intensity = scan.fieldOf("intensity"),
                     row = scan.fieldOf("rowIndex"),
                     column = scan.fieldOf("columnIndex");
   const std::array<std::size_t, 3> color = colorFieldsOf(scan);
   const bool has_color = hasColor(scan);
-  E57Points points(scan.fields, scan.section, scan.points, pages);
+  const std::unique_ptr<ScanPoints> points = reader.open(scan);
   const auto store = [&](std::uint8_t* to) {
     const auto put = [&](const auto& value) {
       std::memcpy(to, &value, sizeof value);
       to += sizeof value;
     };
-    const std::vector<double>& record = points.next();
-    for (const float coordinate : nearby(T_frame_scan * place_of(record)))
-      put(coordinate);
+    const std::vector<double>& record = points->next();
+    const Eigen::Vector3d place = T_frame_scan * place_of(record) - shift_;
+    for (const double coordinate : place)
+      put(static_cast<float>(coordinate));
     if (shape_.has_intensity)
       put(intensity == E57Scan::none ? 0.0F : static_cast<float>(record[intensity]));
     if (shape_.has_color)
@@ -278,35 +264,40 @@ organize(const LargeVector<GridPlace>& places,
 } // namespace
 
 Eigen::Vector3d
-shiftOf(const E57Scan& scan, const Eigen::Isometry3d& T_frame_scan, E57Pages& pages)
+shiftOf(const E57Scan& scan,
+        const Eigen::Isometry3d& T_frame_scan,
+        const CloudStatement& stated,
+        ScanReader& reader)
 {
-  const PlaceOfRecord place_of(scan, pages.source());
-  E57Points points(scan.fields, scan.section, scan.points, pages);
-  for (std::uint64_t i = 0; i < scan.points; ++i)
-    if (const Eigen::Vector3d place = place_of(points.next()); place.allFinite())
-      return coordinateShift(T_frame_scan * place);
-  return Eigen::Vector3d::Zero();
+  const PlaceOfRecord place_of(scan, reader.source());
+  const std::unique_ptr<ScanPoints> points = reader.open(scan);
+  CoordinateSample sample;
+  for (std::uint64_t i = 0; i < scan.points && sample.size() < CoordinateSample::enough;
+       ++i)
+    if (const Eigen::Vector3d place = place_of(points->next()); !place.isZero(0))
+      sample.add(T_frame_scan * place);
+  return sample.shift(stated);
 }
 
-Eigen::Vector3d
+void
 readScans(const std::vector<E57Scan>& scans,
           const std::vector<Eigen::Isometry3d>& T_frame_scan,
-          const std::optional<Eigen::Vector3d>& shift,
-          E57Pages& pages,
+          const Eigen::Vector3d& shift,
+          ScanReader& reader,
           LargeVector<std::uint8_t>* rows,
           PCLPointCloud2& cloud,
           CoordinateCheck& check)
 {
   const E57Shape shape = shapeOf(scans);
-  requireCountable(shape.points, pages.source());
-  const FieldLayout layout = planLayout(fieldsOf(shape), pages.source());
+  requireCountable(shape.points, reader.source());
+  const FieldLayout layout = planLayout(fieldsOf(shape), reader.source());
   const std::size_t step = layout.point_step;
   E57Cloud points(shape, shift);
   intoRows(rows, cloud, [&](auto& data) {
     reserveLarge(data, shape.points * step);
     for (std::size_t i = 0; i < scans.size(); ++i)
       points.add(
-          scans[i], static_cast<std::int32_t>(i), T_frame_scan[i], pages, step, data);
+          scans[i], static_cast<std::int32_t>(i), T_frame_scan[i], reader, step, data);
     const E57Grid grid = gridOf(points.places());
     if (grid.width > 0) {
       organize(points.places(), grid, step, data);
@@ -316,7 +307,6 @@ readScans(const std::vector<E57Scan>& scans,
       describeCloud(cloud, layout, shape.points, 1);
     check.add(data.data(), step, data.size() / step);
   });
-  return points.shift();
 }
 
 } // namespace pcl::acmap

@@ -30,8 +30,20 @@ struct E57Field {
 std::vector<E57Field>
 e57FieldsIn(const pugi::xml_node& prototype, const ByteSource& source);
 
-/** \brief Reads the points of a scan one after the other, packet by packet. */
-class E57Points {
+/** \brief The points of a scan one after the other. */
+class ScanPoints {
+public:
+  virtual ~ScanPoints() = default;
+
+  /** \brief The values of the next point, one per field; valid until the next call. To be
+   * called as often as there are points.
+   * \throws InputFileException if there are fewer than stated, or one is malformed */
+  virtual const std::vector<double>&
+  next() = 0;
+};
+
+/** \brief Those of an E57 file, packet by packet. */
+class E57Points : public ScanPoints {
 public:
   /** \param[in] section logical offset of their section
    * \throws InputFileException if there is none */
@@ -40,11 +52,8 @@ public:
             std::uint64_t count,
             E57Pages& pages);
 
-  /** \brief The values of the next point, one per field; valid until the next call. To be
-   * called as often as there are points.
-   * \throws InputFileException if there are fewer than stated, or a packet is malformed */
   const std::vector<double>&
-  next();
+  next() override;
 
 private:
   /** \brief Bytes of a field that were not used yet. */

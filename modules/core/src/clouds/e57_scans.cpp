@@ -100,4 +100,45 @@ scansIn(E57Pages& pages)
   return scans;
 }
 
+namespace {
+
+class E57Reader : public ScanReader {
+public:
+  E57Reader(ByteSource& source, bool verifies)
+  : pages_(source)
+  {
+    if (verifies)
+      pages_.requireChecksums();
+  }
+
+  std::vector<E57Scan>
+  scans() override
+  {
+    return scansIn(pages_);
+  }
+
+  std::unique_ptr<ScanPoints>
+  open(const E57Scan& scan) override
+  {
+    return std::make_unique<E57Points>(scan.fields, scan.section, scan.points, pages_);
+  }
+
+  const ByteSource&
+  source() const override
+  {
+    return pages_.source();
+  }
+
+private:
+  E57Pages pages_;
+};
+
+} // namespace
+
+std::unique_ptr<ScanReader>
+readerOfE57(ByteSource& source, bool verifies)
+{
+  return std::make_unique<E57Reader>(source, verifies);
+}
+
 } // namespace pcl::acmap

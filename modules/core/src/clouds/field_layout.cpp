@@ -2,8 +2,11 @@
 
 #include "files/byte_source.h"
 
+#include <pcl/core/impl/cloud_fields.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -79,6 +82,23 @@ findColourBytes(const Fields& source)
   return bytes;
 }
 
+/** Are there colours of three numbers of one type that are no bytes? */
+bool
+hasWideColors(const Fields& source)
+{
+  if (placeOfField(source, "rgb") || placeOfField(source, "rgba"))
+    return false;
+  std::optional<std::uint8_t> datatype;
+  for (const char* name : {"red", "green", "blue"}) {
+    const auto position = placeOfField(source, name);
+    if (!position || source[*position].count != 1 ||
+        (datatype && source[*position].datatype != *datatype))
+      return false;
+    datatype = source[*position].datatype;
+  }
+  return sizeOfType(*datatype) > 1;
+}
+
 void
 addField(FieldLayout& layout,
          const std::string& name,
@@ -152,6 +172,10 @@ packAnew(FieldLayout& layout,
     layout.targets[i] = {layout.point_step, source[i].datatype};
     layout.point_step += source[i].bytes();
   }
+  if (layout.packs_colors) {
+    addField(layout, "rgb", layout.point_step, PCLPointField::FLOAT32, 1);
+    layout.point_step += 4;
+  }
 }
 
 bool
@@ -165,11 +189,36 @@ isFinerThanFloat(std::uint8_t datatype)
 RecordMove
 FieldLayout::moveOf(std::size_t field) const
 {
-  const bool converts = source[field].datatype != targets[field].datatype;
+  double minus = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (coordinates[axis] == field)
+      minus = shift[static_cast<Eigen::Index>(axis)];
+  const bool converts = minus != 0 || source[field].datatype != targets[field].datatype;
   return {0,
           targets[field].offset,
           source[field].bytes(),
-          converts ? source[field].datatype : std::uint8_t{0}};
+          converts ? source[field].datatype : std::uint8_t{0},
+          false,
+          minus};
+}
+
+void
+FieldLayout::subtract(const Eigen::Vector3d& offset)
+{
+  shift = offset;
+  same = same && offset.isZero(0);
+}
+
+Eigen::Vector3d
+FieldLayout::placeIn(const std::uint8_t* record) const
+{
+  Eigen::Vector3d place;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const SourceField& field = source[coordinates[axis]];
+    place[static_cast<Eigen::Index>(axis)] =
+        valueOfType(field.datatype, record + field.offset);
+  }
+  return place;
 }
 
 std::vector<RecordMove>
@@ -201,12 +250,48 @@ planLayout(std::vector<SourceField> source, const ByteSource& file)
     return isFinerThanFloat(source[position].datatype);
   });
   const auto colour = findColourBytes(source);
+  layout.coordinates = xyz;
+  layout.packs_colors = hasWideColors(source);
   layout.source = std::move(source);
-  if (colour.empty() && coordinatesStandTogether(layout.source, xyz))
+  if (colour.empty() && !layout.packs_colors &&
+      coordinatesStandTogether(layout.source, xyz))
     keepPlaces(layout);
   else
     packAnew(layout, xyz, colour);
   return layout;
+}
+
+void
+packColors(const FieldLayout& layout, PCLPointCloud2& cloud, std::uint8_t* data)
+{
+  constexpr double widest = 65535;
+  if (!layout.packs_colors)
+    return;
+  const std::array<const PCLPointField*, 3> fields = {
+      findField(cloud, "red"), findField(cloud, "green"), findField(cloud, "blue")};
+  const std::size_t rows = rowsOf(cloud), rgb = findField(cloud, "rgb")->offset;
+  const auto value = [&](std::size_t row, std::size_t c) {
+    const double level = valueOfType(fields[c]->datatype,
+                                     data + row * cloud.point_step + fields[c]->offset);
+    return std::clamp(std::isfinite(level) ? level : 0.0, 0.0, widest);
+  };
+  double largest = 0;
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t c = 0; c < 3; ++c)
+      largest = std::max(largest, value(row, c));
+  const bool is_real = fields[0]->datatype == PCLPointField::FLOAT32 ||
+                       fields[0]->datatype == PCLPointField::FLOAT64;
+  const double scale = is_real && largest <= 1 ? 255 : largest <= 255 ? 1 : 1 / 257.0;
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t c = 0; c < 3; ++c)
+      data[row * cloud.point_step + rgb + 2 - c] =
+          static_cast<std::uint8_t>(std::lround(value(row, c) * scale));
+  const auto is_number = [](const PCLPointField& field) {
+    return field.name == "red" || field.name == "green" || field.name == "blue";
+  };
+  cloud.fields.erase(
+      std::remove_if(cloud.fields.begin(), cloud.fields.end(), is_number),
+      cloud.fields.end());
 }
 
 void

@@ -4,6 +4,9 @@
 
 #include <pcl/PCLPointCloud2.h>
 
+#include <Eigen/Core>
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -66,6 +69,23 @@ struct FieldLayout {
   /** \brief The coordinates of the file have a higher precision than float32. */
   bool narrows = false;
 
+  /** \brief The fields x, y and z of the file. */
+  std::array<std::size_t, 3> coordinates{};
+
+  /** \brief Is there a field `rgb` without a field of the file, for \ref packColors? */
+  bool packs_colors = false;
+
+  /** \brief What is subtracted from the coordinates of the file. */
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+
+  /** \brief Sets \ref shift. */
+  void
+  subtract(const Eigen::Vector3d& offset);
+
+  /** \brief The coordinates in a record of the file. */
+  Eigen::Vector3d
+  placeIn(const std::uint8_t* record) const;
+
   /** \brief Returns the move from a record that only contains this field. */
   RecordMove
   moveOf(std::size_t field) const;
@@ -75,11 +95,18 @@ struct FieldLayout {
   moves() const;
 };
 
-/** \brief Determines the layout.
+/** \brief Determines the layout. Colours of three numbers that are no bytes get a field `rgb`
+ * beside them, which \ref packColors fills.
  * \throws InputFileException when x, y or z is missing, duplicate or not a single
  * number, if a field is outside the record or a record is longer than 2^31 - 1 bytes */
 FieldLayout
 planLayout(std::vector<SourceField> source, const ByteSource& file);
+
+/** \brief Makes a packed colour of the numbers red, green and blue, which are fractions, or 0
+ * to 255, or 0 to 65535, as the largest shows, and takes the three fields out of the cloud.
+ * \param[in,out] data points of the cloud */
+void
+packColors(const FieldLayout& layout, PCLPointCloud2& cloud, std::uint8_t* data);
 
 /** \brief Reverses the byte order of all values of \a count packed records. */
 void

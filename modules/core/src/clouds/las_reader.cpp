@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief What a point data record format of LAS 1.0 to 1.4 has, offsets in bytes. */
+/** \brief What a point data record format of LAS 1.0 to 1.5 has, offsets in bytes. */
 struct LasRecord {
   std::size_t bytes;
   std::size_t classification;
@@ -63,12 +62,12 @@ readLasHeader(ByteSource& source)
   if (std::memcmp(bytes.data(), "LASF", 4) != 0)
     source.fail("is no LAS file: it does not begin with LASF");
   const int major = bytes[24], minor = bytes[25];
-  if (major != 1 || minor < 0 || minor > 4)
+  if (major != 1 || minor < 0 || minor > 5)
     source.fail("is LAS " + std::to_string(major) + "." + std::to_string(minor) +
-                ", 1.0 to 1.4 are read");
+                ", 1.0 to 1.5 are read");
   LasHeader header;
   header.header_bytes = shortest;
-  const bool is_1_4 = minor == 4 && valueAt<std::uint16_t>(bytes.data(), 94) >= of_1_4;
+  const bool is_1_4 = minor >= 4 && valueAt<std::uint16_t>(bytes.data(), 94) >= of_1_4;
   if (is_1_4) {
     if (source.remaining() < of_1_4 - shortest)
       source.fail("is shorter than its header");
@@ -79,7 +78,7 @@ readLasHeader(ByteSource& source)
   const auto format = static_cast<std::uint8_t>(bytes[104]);
   constexpr std::uint8_t packed = 0xC0; // bits that LASzip sets
   if ((format & packed) != 0)
-    source.fail("is packed by LASzip; laszip or pdal translate unpacks it to .las");
+    source.fail(packedAdvice(source.name()));
   if (format >= las_records.size())
     source.fail("has points of format " + std::to_string(format) +
                 ", 0 to 10 are known");
@@ -171,12 +170,16 @@ private:
 /** \brief Makes points of records. */
 class LasPoints {
 public:
-  LasPoints(const LasHeader& header, const FieldLayout& layout)
+  /** \param[in] shift to be subtracted from coordinates */
+  LasPoints(const LasHeader& header,
+            const FieldLayout& layout,
+            const Eigen::Vector3d& shift)
   : header_(header)
   , record_(las_records[header.format])
   , step_(layout.point_step)
   , classification_(layout.fields.back().offset)
   , colors_(4 * sizeof(float), layout.point_step)
+  , shift_(shift)
   {}
 
   /** \brief Stores the point of the next record.
@@ -185,23 +188,13 @@ public:
   store(const char* record, std::uint8_t* points)
   {
     std::uint8_t* const to = points + stored_++ * step_;
-    const Eigen::Vector3d place = lasPlace(record, header_);
-    if (!shift_)
-      shift_ = coordinateShift(place);
-    const Eigen::Vector3f near = (place - *shift_).cast<float>();
+    const Eigen::Vector3f near = (lasPlace(record, header_) - shift_).cast<float>();
     const auto intensity = static_cast<float>(valueAt<std::uint16_t>(record, 12));
     std::memcpy(to, near.data(), 3 * sizeof(float));
     std::memcpy(to + 3 * sizeof(float), &intensity, sizeof intensity);
     to[classification_] = static_cast<std::uint8_t>(record[record_.classification]);
     if (record_.color > 0)
       colors_.store(valueAt<Color16>(record, record_.color), points);
-  }
-
-  /** \brief The shift: coordinates of the file minus those of the points, metres. */
-  Eigen::Vector3d
-  shift() const
-  {
-    return shift_.value_or(Eigen::Vector3d::Zero());
   }
 
 private:
@@ -211,21 +204,45 @@ private:
   std::size_t classification_; ///< offset in a point
   std::size_t stored_ = 0;
   LasColors colors_;
-  std::optional<Eigen::Vector3d> shift_;
+  Eigen::Vector3d shift_;
 };
 
-/** \brief Reads all records, one block after the other.
- * \param[out] data vector of bytes
- * \return what was subtracted from coordinates */
-template <typename Bytes>
+/** \brief Finds the shift of the records that follow, from some of them. */
 Eigen::Vector3d
+shiftOfRecords(ByteSource& source,
+               const LasHeader& header,
+               const CloudStatement& stated)
+{
+  constexpr std::uint64_t places = 64, together = CoordinateSample::enough / places;
+  const std::uint64_t begin = source.size() - source.remaining();
+  CoordinateSample sample;
+  std::vector<char> records;
+  for (std::uint64_t at = 0; at < header.points;
+       at += std::max(header.points / places, together)) {
+    const auto now = static_cast<std::size_t>(std::min(together, header.points - at));
+    records.resize(now * header.record_bytes);
+    source.moveTo(begin + at * header.record_bytes);
+    source.read(records.data(), records.size());
+    for (std::size_t i = 0; i < now; ++i)
+      sample.add(lasPlace(&records[i * header.record_bytes], header));
+  }
+  source.moveTo(begin);
+  return sample.shift(stated);
+}
+
+/** \brief Reads all records, one block after the other.
+ * \param[in] shift to be subtracted from coordinates
+ * \param[out] data vector of bytes */
+template <typename Bytes>
+void
 readRecords(ByteSource& source,
             const LasHeader& header,
             const FieldLayout& layout,
+            const Eigen::Vector3d& shift,
             Bytes& data,
             CoordinateCheck& check)
 {
-  LasPoints points(header, layout);
+  LasPoints points(header, layout, shift);
   std::vector<char> records;
   appendBlocks(static_cast<std::size_t>(header.points),
                layout.point_step,
@@ -238,13 +255,14 @@ readRecords(ByteSource& source,
                    points.store(&records[i * header.record_bytes], data.data());
                  check.add(block, layout.point_step, count);
                });
-  return points.shift();
 }
 
 } // namespace
 
 PointCloudFile
-readLas(ByteSource& source, LargeVector<std::uint8_t>* rows)
+readLas(ByteSource& source,
+        LargeVector<std::uint8_t>* rows,
+        const CloudStatement& stated)
 {
   const LasHeader header = readLasHeader(source);
   if (source.remaining() < header.first_point - header.header_bytes)
@@ -256,10 +274,13 @@ readLas(ByteSource& source, LargeVector<std::uint8_t>* rows)
   PointCloudFile file;
   describeCloud(file.cloud, layout, header.points, 1);
   CoordinateCheck check(true);
-  intoRows(rows, file.cloud, [&](auto& data) {
-    setShift(readRecords(source, header, layout, data, check), file);
-  });
   file.up = Eigen::Vector3f::UnitZ();
+  const Eigen::Vector3d shift = shiftOfRecords(source, header, stated);
+  setShift(shift, stated, file);
+  check.setShift(shift);
+  intoRows(rows, file.cloud, [&](auto& data) {
+    readRecords(source, header, layout, shift, data, check);
+  });
   check.finish(file);
   return file;
 }

@@ -111,6 +111,24 @@ coarsenessRemark(double median_spacing, const CloudExtent& extent)
          shortNumber(step) + " m; take an offset off them";
 }
 
+/** Scenes in degrees of longitude and latitude are a thousandth of a degree wide, heights
+ * are metres, and few places are near the meridians 0. */
+std::string
+degreesRemark(const CloudExtent& extent)
+{
+  constexpr double widest = 0.05, steepest = 100, far_from_zero = 20; // degrees, ratios
+  const Eigen::Vector3d size = extent.maximum - extent.minimum,
+                        middle = (extent.minimum + extent.maximum) / 2;
+  const double wide = std::max(size.x(), size.y());
+  if (!(wide < widest) || !(size.z() > steepest * wide) || std::abs(middle.x()) > 180 ||
+      std::abs(middle.y()) > 90 ||
+      middle.head<2>().cwiseAbs().minCoeff() < far_from_zero * wide)
+    return {};
+  return "looks like degrees of longitude and latitude: x and y spread over " +
+         shortNumber(wide) + ", z over " + shortNumber(size.z()) +
+         "; project them to metres first";
+}
+
 } // namespace
 
 CloudExtent
@@ -143,6 +161,7 @@ lengthRemarks(const PointView& points, double median_spacing)
     remarks.push_back(farRemark(points, extent));
   remarks.push_back(coarsenessRemark(median_spacing, extent));
   remarks.push_back(millimetreRemark(median_spacing, extent));
+  remarks.push_back(degreesRemark(extent));
   remarks.erase(std::remove(remarks.begin(), remarks.end(), ""), remarks.end());
   return remarks;
 }

@@ -72,16 +72,21 @@ readFieldCounts(Words& words, const ByteSource& source)
 void
 readViewpoint(Words& words, PcdHeader& header, const ByteSource& source)
 {
-  std::array<float, 7> values{};
-  for (float& value : values) {
+  std::array<double, 7> values{};
+  for (double& value : values) {
     std::string_view word;
     if (!words.next(word) || !parseNumber(word, value))
       source.failAtLine("VIEWPOINT needs 7 numbers: tx ty tz qw qx qy qz");
   }
-  const Eigen::Vector3f origin(values[0], values[1], values[2]);
-  const Eigen::Quaternionf orientation(values[3], values[4], values[5], values[6]);
+  const Eigen::Vector3d origin(values[0], values[1], values[2]);
+  const Eigen::Quaternionf orientation(narrowed(values[3]),
+                                       narrowed(values[4]),
+                                       narrowed(values[5]),
+                                       narrowed(values[6]));
   const float norm = orientation.norm();
-  if (!origin.allFinite() || !(norm > 0.5F && norm < 2.0F)) {
+  constexpr double farthest = std::numeric_limits<float>::max();
+  if (!(origin.cwiseAbs().maxCoeff() <= farthest) || !origin.allFinite() ||
+      !(norm > 0.5F && norm < 2.0F)) {
     header.remarks.emplace_back("VIEWPOINT is not a pose; the identity was taken");
     return;
   }
@@ -249,7 +254,7 @@ loadPcdViewpoint(const std::string& path)
   ByteSource source(path);
   const PcdHeader header = readPcdHeader(source);
   Eigen::Isometry3d pose(header.orientation.cast<double>().normalized());
-  pose.translation() = header.origin.cast<double>();
+  pose.translation() = header.origin;
   return pose;
 }
 

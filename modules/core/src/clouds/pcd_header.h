@@ -21,7 +21,7 @@ struct PcdHeader {
   std::uint64_t width = 0;
   std::uint64_t height = 0;
   std::uint64_t points = 0; // width * height
-  Eigen::Vector3f origin = Eigen::Vector3f::Zero();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
   Encoding encoding = Encoding::ascii;
   std::vector<std::string> remarks;

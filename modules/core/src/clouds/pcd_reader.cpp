@@ -1,4 +1,6 @@
+#include "clouds/coordinate_shift.h"
 #include "clouds/field_layout.h"
+#include "clouds/field_names.h"
 #include "clouds/pcd_header.h"
 #include "clouds/point_cloud_readers.h"
 #include "files/byte_source.h"
@@ -16,7 +18,10 @@ namespace pcl::acmap {
 namespace {
 
 void
-readRows(ByteSource& source, const FieldLayout& layout, PointCloudFile& file)
+readRows(ByteSource& source,
+         const FieldLayout& layout,
+         std::vector<double>& places,
+         PointCloudFile& file)
 {
   PCLPointCloud2& cloud = file.cloud;
   const std::size_t points = std::size_t{cloud.width} * cloud.height;
@@ -26,10 +31,15 @@ readRows(ByteSource& source, const FieldLayout& layout, PointCloudFile& file)
     if (!source.readFilledLine(line))
       source.fail("header claims " + std::to_string(points) + " points, the file has " +
                   std::to_string(i));
-    Words row(line);
+    TextRow row(line, source, false);
     for (std::size_t field = 0; field < layout.source.size(); ++field)
-      storeField(row, layout, field, &cloud.data[i * layout.point_step], source);
-    longer = longer || row.next(line);
+      storeField(row,
+                 layout,
+                 field,
+                 &cloud.data[i * layout.point_step],
+                 &places[3 * i],
+                 source);
+    longer = row.finish() || longer;
   }
   if (longer)
     file.remarks.emplace_back(
@@ -40,6 +50,7 @@ void
 readAscii(ByteSource& source,
           const PcdHeader& header,
           const FieldLayout& layout,
+          const CloudStatement& stated,
           PointCloudFile& file)
 {
   std::uint64_t values = 0;
@@ -47,18 +58,24 @@ readAscii(ByteSource& source,
     values += static_cast<std::uint64_t>(std::max<std::int64_t>(field.count, 0));
   requireTextPointsFit(header.points, values, source);
   shapeCloud(file.cloud, layout, header.width, header.height);
-  readRows(source, layout, file);
+  std::vector<double> places(static_cast<std::size_t>(3 * header.points));
+  readRows(source, layout, places, file);
+  shiftPlaces(places, stated, !layout.narrows, file);
 }
 
 void
 readBinary(ByteSource& source,
            const PcdHeader& header,
-           const FieldLayout& layout,
+           FieldLayout& layout,
+           const CloudStatement& stated,
            PointCloudFile& file,
            LargeVector<std::uint8_t>* rows,
            CoordinateCheck& check)
 {
   requirePointsFit(header.points, layout.source_step, source);
+  layout.subtract(
+      RecordBlocks::findShift(source, layout, false, header.points, stated));
+  check.setShift(layout.shift);
   describeCloud(file.cloud, layout, header.width, header.height);
   RecordBlocks blocks(source, layout, false);
   intoRows(rows, file.cloud, [&](auto& data) {
@@ -86,12 +103,42 @@ unpack(ByteSource& source, std::uint32_t packed_size, std::uint32_t size)
   return block;
 }
 
+/** The shift of points whose values are one field after the other. */
+Eigen::Vector3d
+shiftOfColumns(const FieldLayout& layout,
+               const std::uint8_t* block,
+               std::size_t points,
+               const CloudStatement& stated)
+{
+  std::array<const std::uint8_t*, 3> columns{};
+  for (std::size_t i = 0; i < layout.source.size(); ++i) {
+    if (layout.source[i].isPadding())
+      continue;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (layout.coordinates[axis] == i)
+        columns[axis] = block;
+    block += layout.source[i].bytes() * points;
+  }
+  CoordinateSample sample;
+  for (std::size_t i = 0; i < points; i += points / CoordinateSample::enough + 1) {
+    Eigen::Vector3d place;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const SourceField& field = layout.source[layout.coordinates[axis]];
+      place[static_cast<Eigen::Index>(axis)] =
+          valueOfType(field.datatype, columns[axis] + i * field.bytes());
+    }
+    sample.add(place);
+  }
+  return sample.shift(stated);
+}
+
 // The block contains all values of the first field, then all of the second, and so on;
 // padding is omitted.
 void
 readCompressed(ByteSource& source,
                const PcdHeader& header,
-               const FieldLayout& layout,
+               FieldLayout& layout,
+               const CloudStatement& stated,
                PointCloudFile& file)
 {
   std::uint32_t packed_size = 0;
@@ -112,6 +159,7 @@ readCompressed(ByteSource& source,
   const auto block = unpack(source, packed_size, size);
   shapeCloud(file.cloud, layout, header.width, header.height);
   const auto points = static_cast<std::size_t>(header.points);
+  layout.subtract(shiftOfColumns(layout, block.get(), points, stated));
   const std::uint8_t* column = block.get();
   for (std::size_t i = 0; i < layout.source.size(); ++i) {
     if (layout.source[i].isPadding())
@@ -152,28 +200,38 @@ remarkRest(ByteSource& source, bool text, PointCloudFile& file)
 } // namespace
 
 PointCloudFile
-readPcd(ByteSource& source, LargeVector<std::uint8_t>* rows)
+readPcd(ByteSource& source,
+        LargeVector<std::uint8_t>* rows,
+        const CloudStatement& stated)
 {
   PcdHeader header = readPcdHeader(source);
-  const FieldLayout layout = planLayout(std::move(header.fields), source);
+  renameFields(header.fields);
+  FieldLayout layout = planLayout(std::move(header.fields), source);
   PointCloudFile file;
-  file.sensor_origin = header.origin;
   file.sensor_orientation = header.orientation;
   file.remarks = std::move(header.remarks);
   CoordinateCheck check(layout.narrows);
   switch (header.encoding) {
   case PcdHeader::Encoding::ascii:
-    readAscii(source, header, layout, file);
+    readAscii(source, header, layout, stated, file);
+    check.setShift(file.shift);
     check.add(file);
     break;
   case PcdHeader::Encoding::binary:
-    readBinary(source, header, layout, file, rows, check);
+    readBinary(source, header, layout, stated, file, rows, check);
     break;
   case PcdHeader::Encoding::binary_compressed:
-    readCompressed(source, header, layout, file);
+    readCompressed(source, header, layout, stated, file);
+    check.setShift(layout.shift);
     check.add(file);
     break;
   }
+  noteShift(layout, stated, file);
+  if (!header.origin.isZero(0)) // else it is what PCL writes if nothing is known
+    file.sensor_origin = (header.origin - file.shift).cast<float>();
+  intoRows(file.cloud.data.empty() ? rows : nullptr, file.cloud, [&](auto& data) {
+    packColors(layout, file.cloud, data.data());
+  });
   remarkRest(source, header.encoding == PcdHeader::Encoding::ascii, file);
   check.finish(file);
   return file;

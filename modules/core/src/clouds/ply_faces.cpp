@@ -4,7 +4,7 @@
 #include "clouds/ply_list_rows.h"
 #include "files/byte_source.h"
 #include "files/record_moves.h"
-#include "files/text_number.h"
+#include "files/text_fields.h"
 #include <pcl/core/impl/large_memory.h>
 
 #include <algorithm>
@@ -35,7 +35,14 @@ public:
       return;
     if (!source_.readFilledLine(line))
       source_.fail("ends within element " + inQuotes(element.name));
-    row_ = Words(line);
+    row_.emplace(line, source_, true);
+  }
+
+  void
+  endRow()
+  {
+    if (text_)
+      row_->finish();
   }
 
   double
@@ -74,8 +81,9 @@ public:
     std::vector<double> values;
     for (std::uint64_t row = 0; row < element.rows; ++row) {
       beginRow(element);
-      for (std::size_t i = 0; !text_ && i < element.properties.size(); ++i)
-        skip(element.properties[i], values);
+      for (const PlyProperty& property : element.properties)
+        skip(property, values);
+      endRow();
     }
   }
 
@@ -92,9 +100,9 @@ private:
   double
   nextOfText()
   {
-    std::string_view word;
+    const std::string_view word = row_->next();
     double value = 0;
-    if (!row_.next(word) || !parseNumber(word, value))
+    if (!parseNumber(word, value))
       source_.failAtLine(inQuotes(word) + " is not a number");
     return value;
   }
@@ -111,7 +119,7 @@ private:
   ByteSource& source_;
   bool text_;
   bool swap_;
-  Words row_{std::string_view()};
+  std::optional<TextRow> row_;
 };
 
 bool
@@ -339,6 +347,7 @@ readFaces(PlyValues& values,
         depth = depthOf(values.next(property.datatype), row, source);
       else
         values.skip(property, holdsCorners(property) ? corners : others);
+    values.endRow();
     addPolygon(corners, vertices, mesh, source);
     if (depth)
       mesh.wall_depth.resize(mesh.triangles.size(), *depth);

@@ -21,7 +21,7 @@ datatypeOf(std::string_view type, const ByteSource& source)
   struct Name {
     std::string_view first;
     std::string_view second;
-    int datatype;
+    int datatype; // with _t as in C, too
   };
   static constexpr Name names[] = {{"char", "int8", Field::INT8},
                                    {"uchar", "uint8", Field::UINT8},
@@ -29,10 +29,16 @@ datatypeOf(std::string_view type, const ByteSource& source)
                                    {"ushort", "uint16", Field::UINT16},
                                    {"int", "int32", Field::INT32},
                                    {"uint", "uint32", Field::UINT32},
+                                   {"long", "int64", Field::INT64},
+                                   {"ulong", "uint64", Field::UINT64},
+                                   {"bool", "boolean", Field::UINT8},
                                    {"float", "float32", Field::FLOAT32},
                                    {"double", "float64", Field::FLOAT64}};
+  std::string_view word = type;
+  if (word.size() > 2 && word.substr(word.size() - 2) == "_t")
+    word.remove_suffix(2);
   for (const Name& name : names)
-    if (type == name.first || type == name.second)
+    if (word == name.first || word == name.second)
       return static_cast<std::uint8_t>(name.datatype);
   source.failAtLine(inQuotes(type) + " is no type of PLY");
 }

@@ -1,4 +1,6 @@
+#include "clouds/coordinate_shift.h"
 #include "clouds/field_layout.h"
+#include "clouds/field_names.h"
 #include "clouds/ply_header.h"
 #include "clouds/ply_list_rows.h"
 #include "clouds/point_cloud_readers.h"
@@ -7,6 +9,7 @@
 
 #include <pcl/PCLPointField.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -17,24 +20,14 @@ namespace pcl::acmap {
 
 namespace {
 
-std::string
-pclNameOf(const std::string& name)
-{
-  static constexpr std::pair<const char*, const char*> names[] = {
-      {"nx", "normal_x"}, {"ny", "normal_y"}, {"nz", "normal_z"}};
-  for (const auto& [ply, pcl] : names)
-    if (name == ply)
-      return pcl;
-  return name;
-}
-
 std::vector<SourceField>
 scalarFieldsOf(const PlyElement& element)
 {
   std::vector<SourceField> fields;
   for (const PlyProperty& property : element.properties)
     if (!property.isList())
-      fields.push_back({pclNameOf(property.name), property.datatype, 1});
+      fields.push_back({property.name, property.datatype, 1});
+  renameFields(fields);
   return fields;
 }
 
@@ -59,7 +52,7 @@ public:
 
   void
   readVertices(const PlyElement& element,
-               const FieldLayout& layout,
+               const CloudStatement& stated,
                LargeVector<std::uint8_t>* large,
                PointCloudFile& file);
 
@@ -70,25 +63,29 @@ private:
   void
   readListedVertices(const PlyElement& element,
                      const FieldLayout& layout,
+                     std::vector<double>& places,
                      std::uint8_t* points);
 
   void
   skipListed(const PlyElement& element);
 
-  Words
+  TextRow
   nextRow(const PlyElement& element, std::uint64_t row);
 
   void
   skipList(const PlyProperty& list);
 
   static void
-  skipList(Words& row, const ByteSource& source);
+  skipList(TextRow& row, const ByteSource& source);
 
   void
-  readTextVertex(Words row,
-                 const PlyElement& element,
-                 const FieldLayout& layout,
-                 std::uint8_t* point);
+  skipText(const PlyElement& element);
+
+  void
+  readTextVertices(const PlyElement& element,
+                   const FieldLayout& layout,
+                   const CloudStatement& stated,
+                   PointCloudFile& file);
 
   ByteSource& source_;
   PlyHeader::Encoding encoding_;
@@ -96,25 +93,25 @@ private:
   bool swap_;
 };
 
-Words
+TextRow
 PlyRows::nextRow(const PlyElement& element, std::uint64_t row)
 {
   std::string_view line;
   if (!source_.readFilledLine(line))
     source_.fail("header claims " + std::to_string(element.rows) + " rows of element " +
                  inQuotes(element.name) + ", the file has " + std::to_string(row));
-  return Words(line);
+  return TextRow(line, source_, true);
 }
 
 void
-PlyRows::skipList(Words& row, const ByteSource& source)
+PlyRows::skipList(TextRow& row, const ByteSource& source)
 {
   std::uint64_t length = 0;
-  const std::string_view word = nextWord(row, source);
+  const std::string_view word = row.next();
   if (!parseCount(word, length))
     source.failAtLine(inQuotes(word) + " is no length of a list");
   for (std::uint64_t i = 0; i < length; ++i)
-    nextWord(row, source);
+    row.next();
 }
 
 void
@@ -132,41 +129,64 @@ PlyRows::skipList(const PlyProperty& list)
 }
 
 void
-PlyRows::readTextVertex(Words row,
-                        const PlyElement& element,
-                        const FieldLayout& layout,
-                        std::uint8_t* point)
+PlyRows::readTextVertices(const PlyElement& element,
+                          const FieldLayout& layout,
+                          const CloudStatement& stated,
+                          PointCloudFile& file)
 {
-  std::size_t field = 0;
-  for (const PlyProperty& property : element.properties) {
-    if (property.isList())
-      skipList(row, source_);
-    else
-      storeField(row, layout, field++, point, source_);
+  std::vector<double> places(static_cast<std::size_t>(3 * element.rows));
+  std::uint8_t* const points = file.cloud.data.data();
+  for (std::size_t i = 0; i < element.rows; ++i) {
+    TextRow row = nextRow(element, i);
+    std::size_t field = 0;
+    for (const PlyProperty& property : element.properties)
+      if (property.isList())
+        skipList(row, source_);
+      else
+        storeField(row,
+                   layout,
+                   field++,
+                   points + i * layout.point_step,
+                   &places[3 * i],
+                   source_);
+    row.finish();
   }
+  shiftPlaces(places, stated, !layout.narrows, file);
 }
 
 void
 PlyRows::readVertices(const PlyElement& element,
-                      const FieldLayout& layout,
+                      const CloudStatement& stated,
                       LargeVector<std::uint8_t>* large,
                       PointCloudFile& file)
 {
+  FieldLayout layout = planLayout(scalarFieldsOf(element), source_);
+  requireFit(element);
   const auto rows = static_cast<std::size_t>(element.rows);
   CoordinateCheck check(layout.narrows);
   if (!text_ && !element.hasList()) {
+    layout.subtract(RecordBlocks::findShift(source_, layout, swap_, rows, stated));
+    check.setShift(layout.shift);
     describeCloud(file.cloud, layout, rows, 1);
     RecordBlocks blocks(source_, layout, swap_);
-    intoRows(large, file.cloud, [&](auto& data) { blocks.readAll(rows, data, check); });
+    intoRows(large, file.cloud, [&](auto& data) {
+      blocks.readAll(rows, data, check);
+      packColors(layout, file.cloud, data.data());
+    });
+    noteShift(layout, stated, file);
     return check.finish(file);
   }
   shapeCloud(file.cloud, layout, rows, 1);
   std::uint8_t* const points = file.cloud.data.data();
-  if (!text_)
-    readListedVertices(element, layout, points);
-  for (std::size_t row = 0; text_ && row < rows; ++row)
-    readTextVertex(
-        nextRow(element, row), element, layout, points + row * layout.point_step);
+  if (text_)
+    readTextVertices(element, layout, stated, file);
+  else {
+    std::vector<double> places(3 * rows);
+    readListedVertices(element, layout, places, points);
+    shiftPlaces(places, stated, !layout.narrows, file);
+  }
+  packColors(layout, file.cloud, points);
+  check.setShift(file.shift);
   check.add(file);
   check.finish(file);
 }
@@ -174,6 +194,7 @@ PlyRows::readVertices(const PlyElement& element,
 void
 PlyRows::readListedVertices(const PlyElement& element,
                             const FieldLayout& layout,
+                            std::vector<double>& places,
                             std::uint8_t* points)
 {
   const auto moves = layout.moves();
@@ -191,7 +212,23 @@ PlyRows::readListedVertices(const PlyElement& element,
     }
     if (swap_)
       swapRecords(layout, record.data(), 1);
+    const Eigen::Vector3d place = layout.placeIn(record.data());
+    std::copy_n(place.data(), 3, &places[3 * row]);
     moveRecords(moves, record.data(), 0, points + row * layout.point_step, 0, 1);
+  }
+}
+
+void
+PlyRows::skipText(const PlyElement& element)
+{
+  for (std::uint64_t i = 0; i < element.rows; ++i) {
+    TextRow row = nextRow(element, i);
+    for (const PlyProperty& property : element.properties)
+      if (property.isList())
+        skipList(row, source_);
+      else
+        row.next();
+    row.finish();
   }
 }
 
@@ -200,11 +237,8 @@ PlyRows::skip(const PlyElement& element)
 {
   if (element.properties.empty())
     return;
-  if (text_) {
-    for (std::uint64_t row = 0; row < element.rows; ++row)
-      nextRow(element, row);
-    return;
-  }
+  if (text_)
+    return skipText(element);
   const std::uint64_t minimum = element.leastBytes();
   if (element.rows > source_.remaining() / minimum)
     source_.fail("header claims " + std::to_string(element.rows) + " rows of element " +
@@ -237,20 +271,18 @@ PlyRows::skipListed(const PlyElement& element)
 } // namespace
 
 PointCloudFile
-readPly(ByteSource& source, LargeVector<std::uint8_t>* points)
+readPly(ByteSource& source,
+        LargeVector<std::uint8_t>* points,
+        const CloudStatement& stated)
 {
   const PlyHeader header = readPlyHeader(source);
   PointCloudFile file;
   PlyRows rows(source, header.encoding);
-  for (const PlyElement& element : header.elements) {
-    if (element.name != "vertex") {
+  for (const PlyElement& element : header.elements)
+    if (element.name == "vertex")
+      rows.readVertices(element, stated, points, file);
+    else
       rows.skip(element);
-      continue;
-    }
-    const FieldLayout layout = planLayout(scalarFieldsOf(element), source);
-    rows.requireFit(element);
-    rows.readVertices(element, layout, points, file);
-  }
   return file;
 }
 

@@ -1,13 +1,41 @@
+#include "clouds/point_cloud_readers.h"
+#include "clouds/text_layout.h"
+
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/point_cloud_reader.h>
 
 namespace pcl {
 
+namespace {
+
+void
+requireNear(const std::string& name, const Eigen::Vector3d& place)
+{
+  for (const double coordinate : place)
+    acmap::requireInRange(name, coordinate, -1e9, 1e9, "m");
+}
+
+} // namespace
+
 void
 PointCloudReader::setScale(double scale)
 {
   acmap::requireInRange("scale", scale, 1e-12, 1e12, "m");
-  scale_ = scale;
+  scale_ = stated_.scale = scale;
+}
+
+void
+PointCloudReader::setShift(const Eigen::Vector3d& shift)
+{
+  requireNear("shift", shift);
+  stated_.shift = shift;
+}
+
+void
+PointCloudReader::setColumns(const std::vector<std::string>& columns)
+{
+  acmap::rolesOfColumns(columns);
+  stated_.columns = columns;
 }
 
 void
@@ -17,9 +45,9 @@ PointCloudReader::setUpDirection(const Eigen::Vector3d& up)
 }
 
 void
-PointCloudReader::setSensorOrigin(const Eigen::Vector3f& origin)
+PointCloudReader::setSensorOrigin(const Eigen::Vector3d& origin)
 {
-  acmap::requireViewpoints({origin});
+  requireNear("sensor origin", origin);
   sensor_ = SensorStatement::Stated;
   origin_ = origin;
 }
@@ -33,8 +61,9 @@ PointCloudReader::setWithoutSensor()
 PointCloudFile
 PointCloudReader::read(const std::string& path) const
 {
-  PointCloudFile file = loadPointCloud(path);
-  apply(file);
+  PointCloudFile file = acmap::loadStatedCloud(path, stated_);
+  acmap::leaveOutBlackColors(file, file.cloud.data.data());
+  state(file);
   return file;
 }
 
@@ -48,7 +77,7 @@ PointCloudReader::apply(PointCloudFile& file) const
 CloudRows
 PointCloudReader::readRows(const std::string& path, PointCloudFile& file) const
 {
-  CloudRows rows = acmap::loadCloudRows(path, getScale(), file);
+  CloudRows rows = acmap::loadCloudRows(path, stated_, file);
   state(file);
   return rows;
 }
@@ -64,7 +93,7 @@ PointCloudReader::state(PointCloudFile& file) const
     return;
   file.sensor_statement = sensor_;
   if (sensor_ == SensorStatement::Stated)
-    file.sensor_origin = origin_;
+    file.sensor_origin = (origin_ - file.shift).cast<float>();
 }
 
 } // namespace pcl

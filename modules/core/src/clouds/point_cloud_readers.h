@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl::acmap {
@@ -17,23 +18,59 @@ class ByteSource;
 /** \brief Implementations of \ref loadPointCloud. They read from any source of bytes,
  * so that they can be fuzzed without files.
  *
- * A reader of n bytes takes at most 8 n bytes of memory, 450 n if the file is
+ * A reader of n bytes takes at most 16 n bytes of memory, 450 n if the file is
  * compressed (LZF expands a byte to up to 88 bytes), plus one megabyte.
  * \param[out] rows binary points are read into these, if they are given, instead of into
  * the cloud, which then has no data; they are empty before
+ * \param[in] stated lengths and the shift of the result are those of the file, multiplied by
+ * nobody
  * \throws InputFileException when the data do not match their header */
 PointCloudFile
-readPcd(ByteSource& source, LargeVector<std::uint8_t>* rows = nullptr);
+readPcd(ByteSource& source,
+        LargeVector<std::uint8_t>* rows = nullptr,
+        const CloudStatement& stated = {});
 PointCloudFile
-readPly(ByteSource& source, LargeVector<std::uint8_t>* rows = nullptr);
+readPly(ByteSource& source,
+        LargeVector<std::uint8_t>* rows = nullptr,
+        const CloudStatement& stated = {});
 PointCloudFile
-readObj(ByteSource& source);
+readObj(ByteSource& source, const CloudStatement& stated = {});
+
+/** \param[in] is_pts of seven columns the fourth is the intensity, and lines with a count may
+ * be above any block of rows */
 PointCloudFile
-readXyz(ByteSource& source);
+readText(ByteSource& source, bool is_pts = false, const CloudStatement& stated = {});
 PointCloudFile
-readLas(ByteSource& source, LargeVector<std::uint8_t>* rows = nullptr);
+readLas(ByteSource& source,
+        LargeVector<std::uint8_t>* rows = nullptr,
+        const CloudStatement& stated = {});
 PointCloudFile
-readE57(ByteSource& source, LargeVector<std::uint8_t>* rows = nullptr);
+readE57(ByteSource& source,
+        LargeVector<std::uint8_t>* rows = nullptr,
+        const CloudStatement& stated = {});
+PointCloudFile
+readPtx(ByteSource& source,
+        LargeVector<std::uint8_t>* rows = nullptr,
+        const CloudStatement& stated = {});
+
+/** \brief What to do with a file that LASzip has packed. */
+std::string
+packedAdvice(const std::string& path);
+
+/** \brief Takes a field of colours out of a cloud if all points are black, with a remark: some
+ * programs declare colours that they do not have.
+ * \param[in] data points of the cloud */
+void
+leaveOutBlackColors(PointCloudFile& file, const std::uint8_t* data);
+
+/** \brief Finds the shift of points that were read from a text, and subtracts it from them.
+ * \param[in] places x, y, z of all points in the file
+ * \param[in] is_rounded the text was written of float32 */
+void
+shiftPlaces(const std::vector<double>& places,
+            const CloudStatement& stated,
+            bool is_rounded,
+            PointCloudFile& file);
 
 /** \brief Calls a function with the bytes that get the points of a file: the rows, if they
  * are given, else the data of its cloud. */
@@ -123,6 +160,13 @@ public:
   void
   add(const PointCloudFile& file);
 
+  /** \brief Points that were (0, 0, 0) before a shift do not count: they were not measured. */
+  void
+  setShift(const Eigen::Vector3d& shift)
+  {
+    zero_ = (-shift).cast<float>();
+  }
+
   /** \brief Sets `is_dense`, and adds a remark if narrowing the coordinates lost more
    * than about a millimetre. */
   void
@@ -132,6 +176,7 @@ private:
   bool narrowed_;
   bool dense_ = true;
   float largest_ = 0.0F; // only if narrowed
+  Eigen::Vector3f zero_ = Eigen::Vector3f::Zero();
 };
 
 /** \brief Binary records of a file, which become points one block after the other. */
@@ -153,6 +198,15 @@ public:
         data,
         [&](std::size_t now, std::uint8_t* points) { read(now, points, check); });
   }
+
+  /** \brief Finds the shift of the records that follow, from some of them.
+   * \return what the layout shall subtract */
+  static Eigen::Vector3d
+  findShift(ByteSource& source,
+            const FieldLayout& layout,
+            bool swap_bytes,
+            std::uint64_t count,
+            const CloudStatement& stated);
 
 private:
   void

@@ -2,6 +2,7 @@
 
 #include "clouds/e57_cloud.h"
 #include "files/byte_source.h"
+#include "files/text_number.h"
 
 #include <memory>
 #include <string>
@@ -21,6 +22,13 @@ cameraOfScanner()
   return turn;
 }
 
+std::unique_ptr<ScanReader>
+readerOf(ByteSource& source, bool verifies)
+{
+  return lowerEnding(source.name()) == ".ptx" ? readerOfPtx(source)
+                                              : readerOfE57(source, verifies);
+}
+
 } // namespace
 } // namespace pcl::acmap
 
@@ -31,23 +39,27 @@ struct ScanFile::Content {
   std::vector<acmap::E57Scan> scans;
   std::vector<Eigen::Isometry3d> T_camera_scan; ///< camera: the frame of an observation
   std::vector<Eigen::Isometry3d> poses;
-  Eigen::Vector3d shift;
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  std::vector<std::string> remarks;
 };
 
-ScanFile::ScanFile(const std::string& path)
+ScanFile::ScanFile(const std::string& path, const std::optional<Eigen::Vector3d>& shift)
 {
   acmap::ByteSource source(path);
-  acmap::E57Pages pages(source);
-  pages.requireChecksums();
+  const auto reader = acmap::readerOf(source, true);
   auto content = std::make_shared<Content>();
   content->path = path;
-  content->scans = acmap::scansIn(pages);
-  const acmap::E57Scan& first = content->scans.front();
-  content->shift = acmap::shiftOf(first, first.T_map_scan, pages);
+  content->scans = reader->scans();
+  for (const acmap::E57Scan& scan : content->scans)
+    if (content->shift.isZero(0))
+      content->shift = acmap::shiftOf(scan, scan.T_map_scan, {1, shift, {}}, *reader);
   for (const acmap::E57Scan& scan : content->scans) {
+    if (!scan.remark.empty())
+      content->remarks.push_back(scan.remark);
     const Eigen::Isometry3d T_camera_scan =
-        acmap::cameraOfScanner() * Eigen::Translation3d(-acmap::shiftOf(
-                                       scan, Eigen::Isometry3d::Identity(), pages));
+        acmap::cameraOfScanner() *
+        Eigen::Translation3d(
+            -acmap::shiftOf(scan, Eigen::Isometry3d::Identity(), {}, *reader));
     content->T_camera_scan.push_back(T_camera_scan);
     content->poses.push_back(Eigen::Translation3d(-content->shift) * scan.T_map_scan *
                              T_camera_scan.inverse());
@@ -59,8 +71,7 @@ std::size_t
 ScanFile::count(const std::string& path)
 {
   acmap::ByteSource source(path);
-  acmap::E57Pages pages(source);
-  return acmap::scansIn(pages).size();
+  return acmap::readerOf(source, false)->scans().size();
 }
 
 std::size_t
@@ -75,6 +86,12 @@ ScanFile::shift() const
   return content_->shift;
 }
 
+const std::vector<std::string>&
+ScanFile::remarks() const
+{
+  return content_->remarks;
+}
+
 const Eigen::Isometry3d&
 ScanFile::pose(std::size_t i) const
 {
@@ -85,13 +102,13 @@ PointCloudFile
 ScanFile::load(std::size_t i) const
 {
   acmap::ByteSource source(content_->path);
-  acmap::E57Pages pages(source);
+  const auto reader = acmap::readerOf(source, false);
   PointCloudFile file;
   acmap::CoordinateCheck check(true);
   acmap::readScans({content_->scans.at(i)},
                    {content_->T_camera_scan[i]},
                    Eigen::Vector3d::Zero(),
-                   pages,
+                   *reader,
                    nullptr,
                    file.cloud,
                    check);

@@ -88,46 +88,52 @@ reverseTriples(const std::uint8_t* from,
 
 template <typename Value>
 void
-narrowRecords(const std::uint8_t* from,
+narrowRecords(double minus,
+              const std::uint8_t* from,
               std::size_t from_step,
               std::uint8_t* to,
               std::size_t to_step,
               std::size_t count)
 {
   for (std::size_t i = 0; i < count; ++i) {
-    const float value = narrowed(loadAs<Value>(from + i * from_step));
+    const float value = narrowed(loadAs<Value>(from + i * from_step) - minus);
     std::memcpy(to + i * to_step, &value, sizeof value);
   }
 }
 
 void
-convertRecords(std::uint8_t datatype,
+convertRecords(const RecordMove& move,
                const std::uint8_t* from,
                std::size_t from_step,
                std::uint8_t* to,
                std::size_t to_step,
                std::size_t count)
 {
-  switch (datatype) {
+  switch (move.float_from) {
   case PCLPointField::INT8:
-    return narrowRecords<std::int8_t>(from, from_step, to, to_step, count);
+    return narrowRecords<std::int8_t>(move.minus, from, from_step, to, to_step, count);
   case PCLPointField::BOOL:
   case PCLPointField::UINT8:
-    return narrowRecords<std::uint8_t>(from, from_step, to, to_step, count);
+    return narrowRecords<std::uint8_t>(move.minus, from, from_step, to, to_step, count);
   case PCLPointField::INT16:
-    return narrowRecords<std::int16_t>(from, from_step, to, to_step, count);
+    return narrowRecords<std::int16_t>(move.minus, from, from_step, to, to_step, count);
   case PCLPointField::UINT16:
-    return narrowRecords<std::uint16_t>(from, from_step, to, to_step, count);
+    return narrowRecords<std::uint16_t>(
+        move.minus, from, from_step, to, to_step, count);
   case PCLPointField::INT32:
-    return narrowRecords<std::int32_t>(from, from_step, to, to_step, count);
+    return narrowRecords<std::int32_t>(move.minus, from, from_step, to, to_step, count);
   case PCLPointField::UINT32:
-    return narrowRecords<std::uint32_t>(from, from_step, to, to_step, count);
+    return narrowRecords<std::uint32_t>(
+        move.minus, from, from_step, to, to_step, count);
   case PCLPointField::INT64:
-    return narrowRecords<std::int64_t>(from, from_step, to, to_step, count);
+    return narrowRecords<std::int64_t>(move.minus, from, from_step, to, to_step, count);
   case PCLPointField::UINT64:
-    return narrowRecords<std::uint64_t>(from, from_step, to, to_step, count);
+    return narrowRecords<std::uint64_t>(
+        move.minus, from, from_step, to, to_step, count);
+  case PCLPointField::FLOAT32:
+    return narrowRecords<float>(move.minus, from, from_step, to, to_step, count);
   default:
-    return narrowRecords<double>(from, from_step, to, to_step, count);
+    return narrowRecords<double>(move.minus, from, from_step, to, to_step, count);
   }
 }
 
@@ -142,7 +148,7 @@ moveRecord(const RecordMove& move,
   from += move.from;
   to += move.to;
   if (move.float_from != 0)
-    convertRecords(move.float_from, from, from_step, to, to_step, count);
+    convertRecords(move, from, from_step, to, to_step, count);
   else if (move.reverses)
     reverseTriples(from, from_step, to, to_step, count);
   else

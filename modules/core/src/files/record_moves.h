@@ -36,6 +36,9 @@ struct RecordMove {
 
   /** \brief The three bytes are written in reverse order. */
   bool reverses = false;
+
+  /** \brief Subtracted from a value that is converted, before it is rounded. */
+  double minus = 0;
 };
 
 /** \brief Appends a copy, or extends the last one if the bytes are contiguous in both

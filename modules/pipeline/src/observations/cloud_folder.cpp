@@ -226,12 +226,12 @@ openCloudFolder(const std::string& folder)
 }
 
 PointCloudFile
-loadObservationFile(const std::string& path, double scale)
+loadObservationFile(const std::string& path, const CloudStatement& stated)
 {
   if (endingOf(path) != kitti_ending)
-    return loadScaledCloud(path, scale);
+    return loadStatedCloud(path, stated);
   PointCloudFile file = loadKittiScan(path);
-  scaleCloud(file, scale);
+  scaleCloud(file, stated.scale);
   return file;
 }
 

@@ -31,9 +31,9 @@ CloudFolder
 openCloudFolder(const std::string& folder);
 
 /** \brief Reads a cloud of any ending; scans of KITTI in the axes of a camera.
- * \param[in] scale metres in a unit of the file
+ * \param[in] stated scale and shift; those scans have no shift
  * \throws InputFileException as \ref loadPointCloud */
 PointCloudFile
-loadObservationFile(const std::string& path, double scale);
+loadObservationFile(const std::string& path, const CloudStatement& stated);
 
 } // namespace pcl::acmap

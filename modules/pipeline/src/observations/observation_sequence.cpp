@@ -6,6 +6,7 @@
 #include <pcl/core/impl/byte_parcel.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/input_check.h>
+#include <pcl/core/impl/map_shift.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/rigid_motion.h>
@@ -44,12 +45,12 @@ isKnown(const Eigen::Isometry3d& viewpoint)
 }
 
 std::shared_ptr<acmap::ObservationCache>
-cacheOfFiles(double scale)
+cacheOfFiles(const acmap::CloudStatement& stated)
 {
   const auto cache =
-      std::make_shared<acmap::ObservationCache>([scale](const std::string& path) {
+      std::make_shared<acmap::ObservationCache>([stated](const std::string& path) {
         return std::make_shared<const PointCloudFile>(
-            acmap::loadObservationFile(path, scale));
+            acmap::loadObservationFile(path, stated));
       });
   cache->setLimit(std::size_t{64} << 20); // the system keeps files in memory anyway
   return cache;
@@ -78,10 +79,11 @@ requirePoses(const Trajectory& trajectory)
 
 } // namespace
 
-ObservationSequence::ObservationSequence(const std::string& folder, double scale)
+ObservationSequence::ObservationSequence(const std::string& folder,
+                                         double scale,
+                                         const std::optional<Eigen::Vector3d>& shift)
 : source_(folder)
 , scale_(scale)
-, cache_(cacheOfFiles(scale))
 {
   acmap::CloudFolder clouds = acmap::openCloudFolder(folder);
   paths_ = std::move(clouds.paths);
@@ -89,18 +91,57 @@ ObservationSequence::ObservationSequence(const std::string& folder, double scale
   trajectory_ = std::move(clouds.trajectory);
   remarks_ = std::move(clouds.remarks);
   is_given_ = clouds.is_kitti; // and not compared with VIEWPOINTs
+  readFiles();
   for (Eigen::Isometry3d& pose : trajectory_.poses)
     pose.translation() *= scale;
+  shiftPoses(shift);
 }
 
 ObservationSequence::ObservationSequence(std::vector<std::string> files, double scale)
 : paths_(std::move(files))
 , scale_(scale)
-, cache_(cacheOfFiles(scale))
 {
   if (paths_.empty())
     throw acmap::BadArgument("a sequence of no files");
   source_ = paths_.front();
+  readFiles();
+  shiftPoses({});
+}
+
+/** All files lose the same kilometres, those that the first readable one asks for. */
+void
+ObservationSequence::readFiles()
+{
+  cache_ = cacheOfFiles({*scale_, {}, {}});
+  for (const std::string& path : paths_) {
+    try {
+      file_shift_ = cache_->load(path)->shift;
+      break;
+    }
+    catch (const InputFileException&) { // told when it is its turn
+    }
+  }
+  cache_ = cacheOfFiles({*scale_, file_shift_, {}});
+}
+
+/** A point p of a file is p - file_shift_ in the memory, and T p in the map is T p - shift_
+ * there. */
+void
+ObservationSequence::shiftPoses(const std::optional<Eigen::Vector3d>& shift)
+{
+  std::vector<Eigen::Vector3d> places = {file_shift_};
+  if (hasTrajectory())
+    places.clear();
+  for (const Eigen::Isometry3d& pose : trajectory_.poses)
+    places.emplace_back(pose * file_shift_);
+  shift_ = acmap::shiftOfPlaces(places, shift);
+  if (shift_.isZero(0) && file_shift_.isZero(0))
+    return;
+  remarks_.push_back(source_ + ": its map has the coordinates of the files less " +
+                     acmap::shiftText(shift_) +
+                     ", so that they keep their millimetres");
+  for (Eigen::Isometry3d& pose : trajectory_.poses)
+    pose = Eigen::Translation3d(-shift_) * pose * Eigen::Translation3d(file_shift_);
 }
 
 ObservationSequence::ObservationSequence(
@@ -223,7 +264,7 @@ ObservationSequence::followedBy(const ObservationSequence& next) const
   joined.source_state_.clear();
   joined.trajectory_ = Trajectory();
   joined.is_given_ = true;
-  if (next.scale_ != scale_)
+  if (next.scale_ != scale_ || next.file_shift_ != file_shift_)
     joined.scale_.reset();
   const auto add = [&](const ObservationSequence& sequence, double delay) {
     for (std::size_t i = 0; i < sequence.size(); ++i) {
@@ -259,6 +300,7 @@ ObservationSequence::put(std::size_t begin,
   if (!scale_)
     throw acmap::BadArgument(source_ + ": its observations are no files");
   parcel.put(*scale_);
+  parcel.putAll(file_shift_.data(), 3);
   parcel.put(is_given_);
   parcel.put(hasTrajectory());
   parcel.put(end - begin);
@@ -275,7 +317,8 @@ ObservationSequence::taken(acmap::ByteParcel& parcel)
 {
   ObservationSequence sequence;
   sequence.scale_ = parcel.take<double>();
-  sequence.cache_ = cacheOfFiles(*sequence.scale_);
+  parcel.takeAll(sequence.file_shift_.data(), 3);
+  sequence.cache_ = cacheOfFiles({*sequence.scale_, sequence.file_shift_, {}});
   sequence.is_given_ = parcel.take<bool>();
   const bool has_trajectory = parcel.take<bool>();
   for (auto left = parcel.take<std::size_t>(); left > 0; --left) {
@@ -295,6 +338,8 @@ ObservationSequence::fingerprint() const
   hash.add(source_state_);
   if (scale_)
     hash.add(&*scale_, sizeof *scale_);
+  if (!shift_.isZero(0))
+    hash.add(shift_.data(), 3 * sizeof(double));
   for (std::size_t i = 0; i < size(); ++i) {
     hash.add(paths_[i]);
     const double time = stamp(i);

@@ -8,9 +8,9 @@ namespace {
 
 class ScanSource : public ObservationSource {
 public:
-  explicit ScanSource(const std::string& path)
+  ScanSource(const std::string& path, const std::optional<Eigen::Vector3d>& shift)
   : path_(path)
-  , scans_(path)
+  , scans_(path, shift)
   {}
 
   std::string
@@ -54,6 +54,12 @@ public:
     return scans_.shift();
   }
 
+  std::vector<std::string>
+  remarks() const override
+  {
+    return scans_.remarks();
+  }
+
 private:
   std::string path_;
   ScanFile scans_;
@@ -62,9 +68,9 @@ private:
 } // namespace
 
 std::shared_ptr<const ObservationSource>
-openScans(const std::string& path)
+openScans(const std::string& path, const std::optional<Eigen::Vector3d>& shift)
 {
-  return std::make_shared<ScanSource>(path);
+  return std::make_shared<ScanSource>(path, shift);
 }
 
 } // namespace pcl

@@ -64,6 +64,8 @@ struct CloudAssessmentReport : Report {
   /** \brief What was subtracted from the coordinates of the file. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
 
+  std::string text_columns; ///< how those of a text were understood; empty: no text
+
   struct Noise {
     bool is_determined = false;
     double value = 0; ///< standard deviation across the surface
@@ -129,6 +131,7 @@ visitFields(const CloudAssessmentReport& report, Visitor&& visit)
   visit({"up"}, report.up);
   visit({"unit"}, report.unit);
   visit({"shift", "m"}, report.shift);
+  visit({"text_columns"}, report.text_columns);
   visit({"noise"}, report.noise);
   visit({"spacing", "m"}, report.spacing);
   visit({"sensors"}, report.sensors);

@@ -4,6 +4,7 @@
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
+#include <pcl/core/impl/cloud_statement.h>
 #include <pcl/core/impl/point_view.h>
 #include <pcl/core/sensor_evidence.h>
 
@@ -55,9 +56,14 @@ struct PointCloudFile {
    * the cloud; empty if the file does not know them (known: E57). */
   std::vector<Eigen::Vector3f> viewpoints;
 
-  /** \brief What was subtracted from the coordinates of the file, so that float32 keeps their
-   * millimetres; zero unless they are large (LAS, E57). */
+  /** \brief What was subtracted from the coordinates of the file, metres, so that float32
+   * keeps their millimetres: the whole kilometres of the middle of the points along the axes
+   * along which nearly all are beyond 10 km, as in national grids, else zero. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+
+  /** \brief How the columns of a text were understood, as "id (left out), x, y, z"; empty for
+   * formats that name their fields. */
+  std::string columns;
 
   /** \brief Warnings about the file that did not prevent reading it, one per entry. */
   std::vector<std::string> remarks;
@@ -71,24 +77,26 @@ struct PointCloudFile {
 /** \brief Reads a point cloud; the format is determined from the file extension
  * (case-insensitive).
  *
- * - PCD: ascii, binary, binary_compressed; any fields.
+ * - PCD: ascii, binary, binary_compressed; any fields. Names in capitals are those of PCL.
  * - PLY: ascii and both binary byte orders; the vertices with their scalar properties.
  * - OBJ: the vertices, with colour if all of them have one (fractions, or 0 to 255 when
  *   one exceeds 1).
- * - XYZ: rows of x y z, separated by blanks, tabs, commas or semicolons. Further
- *   columns and comments after # or // are ignored. A number of points or column names
- *   before the rows cause a remark.
+ * - XYZ, TXT, CSV, ASC, PTS: rows of numbers, separated by blanks, tabs, commas or
+ *   semicolons. The names of a header say what the columns are; without names x, y, z come
+ *   first, and colours follow if the numbers are those of colours. What is ambiguous is
+ *   refused: see \ref PointCloudReader::setColumns.
+ * - LAS: 1.0 to 1.5, point formats 0 to 10: coordinates, `intensity`, `classification`,
+ *   and `rgb` where there are colours, of 16 bits if one of them exceeds 255. Packed points
+ *   (LAZ) are refused.
+ * - E57 and PTX: the points of all scans in the frame of the file, with `intensity` and `rgb`
+ *   where a scan has them; of several scans, `view` is the number of the scan. Points that
+ *   are marked as invalid are NaN. One scan with rows and columns is organized.
  *
- * - LAS: 1.0 to 1.4, point formats 0 to 10: coordinates, `intensity`, `classification`,
- *   and `rgb` where there are colours, of 16 bits if one of them exceeds 255. Coordinates beyond
- *   10 km are shifted by whole kilometres. Packed points (LAZ) are refused.
- *
- * - E57: the points of all scans in the frame of the file, with `intensity` and `rgb` where
- *   a scan has them; of several scans, `view` is the number of the scan. Points that are marked as invalid
- *   are NaN. One scan with rows and columns is organized. Shifted as LAS.
+ * Coordinates of a national grid are shifted (\ref PointCloudFile::shift) before they become
+ * float32, in all formats.
  *
  * The header is compared with the size of the file before memory is allocated for the
- * points: a file of n bytes takes at most 8 n bytes of memory, a compressed one 450 n.
+ * points: a file of n bytes takes at most 16 n bytes of memory, a compressed one 450 n.
  * Takes linear time.
  * \param[in] path the file
  * \throws InputFileException naming file and fault: missing, a folder, empty,
@@ -115,21 +123,20 @@ sharedCloud(const std::shared_ptr<const PointCloudFile>& file)
 ACMAP_EXPORT SensorEvidence
 sensorEvidence(const CloudRows& rows, const PointCloudFile& file);
 
-/** \brief Reads a cloud and multiplies its lengths by a factor.
- * \param[in] path the file
- * \param[in] scale metres per unit of the file
+/** \brief Reads a cloud as stated, in metres.
  * \throws InputFileException as \ref pcl::loadPointCloud */
 ACMAP_EXPORT PointCloudFile
-loadScaledCloud(const std::string& path, double scale);
+loadStatedCloud(const std::string& path, const CloudStatement& stated);
 
-/** \brief Reads a cloud that may be larger than the memory, as \ref loadScaledCloud. Binary
- * PCD and PLY, LAS and E57 go to the rows block by block; others are in memory before.
- * \param[in] scale metres per unit of the file
+/** \brief Reads a cloud that may be larger than the memory, as \ref loadStatedCloud. Binary
+ * PCD and PLY, LAS, E57 and PTX go to the rows block by block; others are in memory before.
  * \param[out] file all that the file has, without the data of its cloud
  * \return the points
  * \throws InputFileException as \ref pcl::loadPointCloud */
 ACMAP_EXPORT CloudRows
-loadCloudRows(const std::string& path, double scale, PointCloudFile& file);
+loadCloudRows(const std::string& path,
+              const CloudStatement& stated,
+              PointCloudFile& file);
 
 /** \brief Multiplies x, y, z and `sigma` of all points and the position of the sensor
  * by a factor. */

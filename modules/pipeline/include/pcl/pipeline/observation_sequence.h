@@ -54,10 +54,17 @@ class ACMAP_EXPORT ObservationSequence {
 public:
   /** \brief Opens a folder of PCD files.
    * \param[in] folder observations, and a trajectory.txt if their poses are known
+   *
+   * Where clouds or poses are those of a national grid, all clouds lose the same whole
+   * kilometres, those that the first readable one asks for, and the map is shifted
+   * (\ref shift).
    * \param[in] scale metres in a unit of clouds and trajectory
+   * \param[in] shift that of the map, metres; none: found
    * \throws InputFileException if it is no folder, holds no PCD file, or its trajectory
    * cannot be read or has no row for an observation */
-  explicit ObservationSequence(const std::string& folder, double scale = 1);
+  explicit ObservationSequence(const std::string& folder,
+                               double scale = 1,
+                               const std::optional<Eigen::Vector3d>& shift = {});
 
   /** \brief Takes PCD files in the given order, with their VIEWPOINTs as poses.
    * \param[in] scale metres in a unit of the clouds
@@ -182,7 +189,7 @@ public:
   load(std::size_t i) const;
 
   /** \brief What was subtracted from coordinates of the input, CompactMap::shift: that of
-   * the \ref ObservationSource, else zero. */
+   * the \ref ObservationSource, or of the files and their poses. */
   const Eigen::Vector3d&
   shift() const
   {
@@ -231,6 +238,12 @@ public:
 private:
   ObservationSequence() = default;
 
+  void
+  readFiles();
+
+  void
+  shiftPoses(const std::optional<Eigen::Vector3d>& shift);
+
   std::string source_; ///< folder, or first file, for messages
   std::vector<std::string> paths_;
   std::vector<std::size_t> rows_; ///< row in the trajectory, one per observation
@@ -239,7 +252,8 @@ private:
   std::optional<double> scale_; ///< metres in a unit of the files, if they are files
   std::string source_state_;    ///< ObservationSource::fingerprint; may be empty
   Eigen::Vector3d shift_ = Eigen::Vector3d::Zero();
-  std::vector<std::string> remarks_; ///< of the file
+  Eigen::Vector3d file_shift_ = Eigen::Vector3d::Zero(); ///< of the files themselves
+  std::vector<std::string> remarks_;                     ///< of the file
   std::shared_ptr<acmap::ObservationCache> cache_;
 };
 

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,11 +68,12 @@ public:
   }
 };
 
-/** \brief The scans of an E57 file (\ref ScanFile), with their poses and their numbers as
- * times.
+/** \brief The scans of an E57 or PTX file (\ref ScanFile), with their poses and their numbers
+ * as times.
+ * \param[in] shift to be subtracted from coordinates; none: found
  * \throws InputFileException as \ref ScanFile \ingroup pipeline */
 ACMAP_EXPORT std::shared_ptr<const ObservationSource>
-openScans(const std::string& path);
+openScans(const std::string& path, const std::optional<Eigen::Vector3d>& shift = {});
 
 /** \brief The observations of a bag of ROS 1 or ROS 2 (\ref BagFile): of RGB-D images with
  * their CameraInfo, or of PointCloud2. Of several topics of a kind the one with most messages

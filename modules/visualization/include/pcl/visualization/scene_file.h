@@ -2,6 +2,7 @@
 
 #include <pcl/core/export.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/core/point_cloud_reader.h>
 #include <pcl/core/triangle_mesh.h>
 
 #include <string>
@@ -15,10 +16,11 @@ struct SceneFile {
   TriangleMesh mesh;
 };
 
-/** \brief Reads what \ref showScene can show: a cloud (PCD, XYZ, PLY or OBJ without
- * faces) or a mesh (PLY or OBJ with faces, legacy VTK of polygons or triangle strips).
+/** \brief Reads what \ref showScene can show: a cloud (as \ref loadPointCloud) or a mesh
+ * (PLY or OBJ with faces, legacy VTK of polygons or triangle strips).
+ * \param[in] reader with what is stated of the file
  * \throws InputFileException with file name and error \ingroup visualization */
 ACMAP_EXPORT SceneFile
-loadScene(const std::string& path);
+loadScene(const std::string& path, const PointCloudReader& reader = {});
 
 } // namespace pcl

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief What the caller states of a file before its points are read. */
+struct CloudStatement {
+  double scale = 1;                     ///< metres in a unit of the file
+  std::optional<Eigen::Vector3d> shift; ///< to be subtracted, metres; none: found
+  std::vector<std::string> columns;     ///< of a text; none: found
+};
+
+} // namespace pcl::acmap

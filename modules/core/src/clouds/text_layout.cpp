@@ -1,0 +1,201 @@
+#include "clouds/text_layout.h"
+
+#include "clouds/field_names.h"
+#include "files/text_number.h"
+
+#include <pcl/core/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace pcl::acmap {
+
+namespace {
+
+constexpr std::array<const char*, text_roles> role_names = {"-",
+                                                            "x",
+                                                            "y",
+                                                            "z",
+                                                            "red",
+                                                            "green",
+                                                            "blue",
+                                                            "intensity",
+                                                            "normal_x",
+                                                            "normal_y",
+                                                            "normal_z"};
+
+std::string_view
+trimmed(std::string_view text)
+{
+  constexpr const char* around = " \t\r\"'";
+  const std::size_t begin = text.find_first_not_of(around);
+  if (begin == std::string_view::npos)
+    return {};
+  return text.substr(begin, text.find_last_not_of(around) - begin + 1);
+}
+
+/** Fields with exactly one separator between two of them; one at the end of a line is no
+ * field. */
+void
+splitStrictly(std::string_view line,
+              char separator,
+              std::vector<std::string_view>& fields)
+{
+  for (;;) {
+    const std::size_t end = line.find(separator);
+    fields.push_back(trimmed(line.substr(0, end)));
+    if (end == std::string_view::npos)
+      break;
+    line.remove_prefix(end + 1);
+  }
+  while (!fields.empty() && fields.back().empty())
+    fields.pop_back();
+}
+
+} // namespace
+
+std::size_t
+TextLayout::needed() const
+{
+  std::size_t needed = roles.size();
+  while (needed > 0 && roles[needed - 1] == TextRole::None)
+    --needed;
+  return needed;
+}
+
+bool
+TextLayout::has(TextRole role) const
+{
+  return std::find(roles.begin(), roles.end(), role) != roles.end();
+}
+
+std::string
+TextLayout::told() const
+{
+  std::string text;
+  for (std::size_t i = 0; i < std::max(roles.size(), names.size()); ++i) {
+    text += i > 0 ? ", " : "";
+    if (i < roles.size() && roles[i] != TextRole::None)
+      text += nameOf(roles[i]);
+    else
+      text +=
+          (i < names.size() && !names[i].empty() ? inPrint(names[i], 40)
+                                                 : "column " + std::to_string(i + 1)) +
+          " (left out)";
+  }
+  return text + (has_decimal_commas ? ", with decimal commas" : "");
+}
+
+void
+splitRow(std::string_view line,
+         TextLayout::Separators separators,
+         std::vector<std::string_view>& fields)
+{
+  fields.clear();
+  if (separators == TextLayout::Separators::Commas)
+    return splitStrictly(line, ',', fields);
+  if (separators == TextLayout::Separators::Semicolons)
+    return splitStrictly(line, ';', fields);
+  Words words(line,
+              separators == TextLayout::Separators::Blanks
+                  ? Words::Separators::blanks
+                  : Words::Separators::blanks_and_commas);
+  for (std::string_view word; words.next(word);)
+    fields.push_back(trimmed(word));
+}
+
+bool
+parseField(std::string_view field, bool has_decimal_comma, double& value)
+{
+  const std::size_t comma = has_decimal_comma ? field.find(',') : field.npos;
+  if (comma == std::string_view::npos)
+    return parseNumber(field, value);
+  std::string text(field);
+  text[comma] = '.';
+  return parseNumber(text, value);
+}
+
+TextRole
+roleOfName(std::string_view name)
+{
+  static constexpr std::pair<std::string_view, TextRole> spellings[] = {
+      {"r", TextRole::Red},
+      {"g", TextRole::Green},
+      {"b", TextRole::Blue},
+      {"rf", TextRole::Red},
+      {"gf", TextRole::Green},
+      {"bf", TextRole::Blue},
+      {"i", TextRole::Intensity},
+      {"intensity", TextRole::Intensity},
+      {"reflectance", TextRole::Intensity},
+      {"scalar_intensity", TextRole::Intensity},
+      {"east", TextRole::X},
+      {"easting", TextRole::X},
+      {"north", TextRole::Y},
+      {"northing", TextRole::Y},
+      {"height", TextRole::Z},
+      {"elevation", TextRole::Z},
+      {"altitude", TextRole::Z},
+      {"points:0", TextRole::X},
+      {"points:1", TextRole::Y},
+      {"points:2", TextRole::Z}};
+  name = trimmed(name);
+  name = trimmed(name.substr(0, name.find_first_of("[(")));
+  std::string lower(name);
+  for (char& c : lower)
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  for (const auto& [spelling, role] : spellings)
+    if (lower == spelling)
+      return role;
+  for (const char axis : {'x', 'y', 'z'})
+    for (const char* form :
+         {"?_coord", "coord_?", "coord?", "?coord", "pos_?", "?_m"}) {
+      std::string spelling(form);
+      std::replace(spelling.begin(), spelling.end(), '?', axis);
+      if (lower == spelling)
+        lower = std::string(1, axis);
+    }
+  const std::string standard = standardName(lower);
+  for (std::size_t role = 1; role < text_roles; ++role)
+    if (standard == role_names[role])
+      return static_cast<TextRole>(role);
+  return TextRole::None;
+}
+
+std::vector<TextRole>
+rolesOfColumns(const std::vector<std::string>& columns)
+{
+  std::vector<TextRole> roles;
+  for (const std::string& column : columns) {
+    const TextRole role = roleOfName(column);
+    if (role == TextRole::None && column != "-")
+      throw acmap::BadArgument("columns: ",
+                               inQuotes(column),
+                               " is none of x, y, z, red, green, blue, intensity, "
+                               "normal_x, normal_y, normal_z and -");
+    if (role != TextRole::None &&
+        std::find(roles.begin(), roles.end(), role) != roles.end())
+      throw acmap::BadArgument("columns: ", nameOf(role), " comes twice");
+    roles.push_back(role);
+  }
+  for (const TextRole role : {TextRole::X, TextRole::Y, TextRole::Z})
+    if (std::find(roles.begin(), roles.end(), role) == roles.end())
+      throw acmap::BadArgument("columns: there is no ", nameOf(role));
+  return roles;
+}
+
+const char*
+nameOf(TextRole role)
+{
+  return role_names[static_cast<std::size_t>(role)];
+}
+
+bool
+isTextComment(std::string_view line)
+{
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  return line.substr(0, 1) == "#" || line.substr(0, 2) == "//";
+}
+
+} // namespace pcl::acmap

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pcl::acmap {
+
+class ByteSource;
+
+/** \brief What a column of a text is. */
+enum class TextRole {
+  None, ///< left out
+  X,
+  Y,
+  Z,
+  Red,
+  Green,
+  Blue,
+  Intensity,
+  NormalX,
+  NormalY,
+  NormalZ
+};
+
+inline constexpr std::size_t text_roles = 11;
+
+/** \brief How the rows of a text are to be read. */
+struct TextLayout {
+  enum class Separators {
+    Any,       ///< blanks, tabs, commas, semicolons, each as often as it likes
+    Blanks,    ///< blanks and tabs
+    Commas,    ///< one between two fields
+    Semicolons ///< one between two fields
+  };
+
+  Separators separators = Separators::Any;
+  bool has_decimal_commas = false;
+  std::vector<TextRole> roles;    ///< of the columns; of those that follow, None
+  std::vector<std::string> names; ///< of the columns, for \ref told
+  bool is_guessed = false;        ///< the colours are known by their numbers only
+  std::vector<std::string> remarks;
+
+  /** \brief Number of columns that a row must have. */
+  std::size_t
+  needed() const;
+
+  bool
+  has(TextRole role) const;
+
+  /** \brief "id (left out), x, y, z". */
+  std::string
+  told() const;
+};
+
+/** \brief The fields of a line, without blanks and quotes around them. */
+void
+splitRow(std::string_view line,
+         TextLayout::Separators separators,
+         std::vector<std::string_view>& fields);
+
+/** \brief Reads a number that may have a decimal comma. */
+bool
+parseField(std::string_view field, bool has_decimal_comma, double& value);
+
+/** \brief What a name of a header says, in the usual spellings; None for others. */
+TextRole
+roleOfName(std::string_view name);
+
+/** \brief What stated names of columns mean.
+ * \throws BadArgumentException for a name that is none, one that comes twice, or without x,
+ * y and z */
+std::vector<TextRole>
+rolesOfColumns(const std::vector<std::string>& columns);
+
+/** \brief The name of a role in texts and messages. */
+const char*
+nameOf(TextRole role);
+
+/** \brief A line that is no row, or the beginning of one after a sign of comments. */
+bool
+isTextComment(std::string_view line);
+
+/** \brief Does a line have three numbers or more? What is above the first such line is no row.
+ */
+bool
+isTextRow(std::string_view line);
+
+/** \brief Finds out how the rows are to be read, from the first ones and the names above them.
+ * \param[in] head the beginning of the file, without the mark of its encoding
+ * \param[in] is_pts see \ref readText
+ * \param[in] columns that are stated; none: found
+ * \throws InputFileException if that is ambiguous, naming what settles it */
+TextLayout
+findTextLayout(std::string_view head,
+               bool is_pts,
+               const std::vector<std::string>& columns,
+               const ByteSource& source);
+
+} // namespace pcl::acmap
