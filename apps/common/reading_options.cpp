@@ -131,8 +131,9 @@ addUp(CLI::App& app, PointCloudReader& reader, const std::string& more)
 }
 
 void
-addShift(CLI::App& app, PointCloudReader& reader)
+addReading(CLI::App& app, PointCloudReader& reader)
 {
+  addScale(app, reader);
   addSetter<std::string>(
       app,
       "--shift",
@@ -147,13 +148,6 @@ addShift(CLI::App& app, PointCloudReader& reader)
       "kilometres where the points are beyond 10 km]",
       "X,Y,Z")
       ->group(input_group);
-}
-
-void
-addReading(CLI::App& app, PointCloudReader& reader)
-{
-  addScale(app, reader);
-  addShift(app, reader);
   addSetter<std::string>(
       app,
       "--columns",

@@ -22,10 +22,6 @@ addUp(CLI::App& app, PointCloudReader& reader, const std::string& more = {});
 CLI::Option*
 addSensorPose(CLI::App& app, BagSettings& bag);
 
-/** \brief Adds `--shift`. */
-void
-addShift(CLI::App& app, PointCloudReader& reader);
-
 /** \brief Adds all options of what is stated of a cloud. */
 void
 addReading(CLI::App& app, PointCloudReader& reader);

@@ -178,8 +178,12 @@ MapRun::observationStage(const MapInput& input)
   stage.take = [this, input, folder, is_session](
                    ChainState& state, const ChainSettings&, const StageStore&) {
     const double scale = is_session ? 1 : controls_.reader.getScale();
-    state.observations.emplace(folder, scale);
-    if (input.recorded)
+    const bool is_shifted = input.recorded && !input.recorded->shift().isZero(0);
+    state.observations.emplace(folder,
+                               scale,
+                               is_shifted ? std::optional<Eigen::Vector3d>()
+                                          : controls_.reader.getShift());
+    if (is_shifted)
       state.observations =
           state.observations->withShift(scale * input.recorded->shift());
     state.has_poses = input.start == StartingPoint::PosedObservations ||

@@ -66,8 +66,11 @@ setShift(const Eigen::Vector3d& shift,
   const Eigen::Vector3d metres = shift * stated.scale;
   file.remarks.push_back("its coordinates are those of the file less " +
                          shiftText(metres) + ", so that they keep their millimetres");
-  if (!isGeocentric(metres))
+  if (!isGeocentric(metres)) {
+    if (shift.z() == 0)
+      file.usual_up = Eigen::Vector3f::UnitZ(); // grids of surveys have heights
     return;
+  }
   file.up = metres.normalized().cast<float>();
   file.remarks.emplace_back(
       "its coordinates are geocentric: up is away from the middle "

@@ -49,7 +49,8 @@ isAt(const Vector& point, const Vector& place)
 }
 
 /** \brief Notes what was subtracted from the coordinates, with a remark if that is not 0. The
- * up direction of geocentric coordinates points away from the middle of the Earth.
+ * up direction of geocentric coordinates points away from the middle of the Earth, that of
+ * grids is usually z.
  * \param[in] shift in the unit of the file, as \ref PointCloudFile::shift still is */
 void
 setShift(const Eigen::Vector3d& shift,

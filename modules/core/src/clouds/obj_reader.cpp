@@ -109,7 +109,8 @@ readObj(ByteSource& source, const CloudStatement& stated)
     source.fail("has no vertex: no line begins with 'v'");
   const bool coloured = colours.size() == points.size();
   PointCloudFile file = makeCloud(points, coloured, stated, source);
-  file.usual_up = Eigen::Vector3f::UnitY();
+  if (!file.usual_up)
+    file.usual_up = Eigen::Vector3f::UnitY();
   if (coloured)
     storeColours(colours, file.cloud);
   else if (!colours.empty())

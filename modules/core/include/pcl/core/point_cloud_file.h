@@ -46,7 +46,7 @@ struct PointCloudFile {
   std::optional<Eigen::Vector3f> up;
 
   /** \brief The up direction that is usual in the format, of length 1: assumed where nothing is
-   * known and the points do not show another (OBJ: y). */
+   * known and the points do not show another (OBJ: y, national grids: z). */
   std::optional<Eigen::Vector3f> usual_up;
 
   /** \brief Metres in a unit of the file, if the caller stated it: the cloud is in metres. */
