@@ -115,10 +115,10 @@ TEST(PcdDialects, remarksOnWhatItLeavesOut)
   EXPECT_EQ(turned.sensor_origin, Eigen::Vector3f::Zero());
 }
 
-TEST(PcdDialects, remarksOnCoordinatesTooLargeForFloat)
+TEST(PcdDialects, remarksOnCoordinatesTooFarApartForFloat)
 {
   const std::string header =
-      "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nPOINTS 1\nDATA ascii\n";
+      "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nPOINTS 3\nDATA ascii\n1 2 3\n4 5 6\n";
   EXPECT_TRUE(loadText(header + "9000.5 0 nan\n").remarks.empty());
   EXPECT_THAT(loadText(header + "0 -632841.123 12\n").remarks,
               ElementsAre(HasSubstr("632841 m; float32 rounds them to 0.0625 m")));

@@ -69,9 +69,9 @@ void
 expectRowsOfCloud(const std::string& path)
 {
   for (const double scale : {1.0, 0.001}) {
-    const PointCloudFile expected = loadStatedCloud(path, {scale, {}, {}});
+    const PointCloudFile expected = loadStatedCloud(path, {scale, {}, {}, false});
     PointCloudFile file;
-    const CloudRows rows = loadCloudRows(path, {scale, {}, {}}, file);
+    const CloudRows rows = loadCloudRows(path, {scale, {}, {}, false}, file);
     EXPECT_TRUE(file.cloud.data.empty()) << path;
     EXPECT_TRUE(rows.copy().data == expected.cloud.data) << path;
     EXPECT_EQ(rows.layout().width, expected.cloud.width) << path;

@@ -141,12 +141,13 @@ CoordinateCheck::finish(PointCloudFile& file) const
 {
   file.cloud.is_dense = dense_ ? 1 : 0;
   constexpr float millimetre_lost = 1e4F;
-  if (!narrowed_ || largest_ < millimetre_lost)
+  const float largest = largest_ * scale_;
+  if (!narrowed_ || largest < millimetre_lost)
     return;
   const float step =
-      std::nextafter(largest_, std::numeric_limits<float>::max()) - largest_;
+      std::nextafter(largest, std::numeric_limits<float>::max()) - largest;
   std::ostringstream remark;
-  remark << "coordinates reach " << largest_ << " m; float32 rounds them to " << step
+  remark << "coordinates reach " << largest << " m; float32 rounds them to " << step
          << " m: --shift subtracts another offset first";
   file.remarks.push_back(remark.str());
 }

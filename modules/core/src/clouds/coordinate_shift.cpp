@@ -108,7 +108,7 @@ shiftOfPlaces(const std::vector<Eigen::Vector3d>& places,
   CoordinateSample sample;
   for (const Eigen::Vector3d& place : places)
     sample.add(place);
-  return sample.shift({1, stated, {}});
+  return sample.shift({1, stated, {}, false});
 }
 
 std::string

@@ -27,7 +27,7 @@ readAll(ScanReader& reader,
       shift = shiftOf(scan, scan.T_map_scan, stated, reader);
   }
   setShift(shift, stated, file);
-  CoordinateCheck check(true);
+  CoordinateCheck check(true, stated.scale);
   check.setShift(shift);
   readScans(scans, T_map_scan, shift, reader, rows, file.cloud, check);
   for (const Eigen::Isometry3d& pose : T_map_scan)

@@ -273,7 +273,7 @@ readLas(ByteSource& source,
   const FieldLayout layout = planLayout(lasFields(has_color), source);
   PointCloudFile file;
   describeCloud(file.cloud, layout, header.points, 1);
-  CoordinateCheck check(true);
+  CoordinateCheck check(true, stated.scale);
   file.up = Eigen::Vector3f::UnitZ();
   const Eigen::Vector3d shift = shiftOfRecords(source, header, stated);
   setShift(shift, stated, file);

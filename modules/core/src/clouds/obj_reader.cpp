@@ -60,7 +60,7 @@ makeCloud(const std::vector<double>& points,
     std::memcpy(&file.cloud.data[i * layout.point_step], point.data(), sizeof point);
   }
   shiftPlaces(points, stated, false, file);
-  CoordinateCheck check(true);
+  CoordinateCheck check(true, stated.scale);
   check.setShift(file.shift);
   check.add(file);
   check.finish(file);

@@ -210,7 +210,7 @@ readPcd(ByteSource& source,
   PointCloudFile file;
   file.sensor_orientation = header.orientation;
   file.remarks = std::move(header.remarks);
-  CoordinateCheck check(layout.narrows);
+  CoordinateCheck check(layout.narrows, stated.scale);
   switch (header.encoding) {
   case PcdHeader::Encoding::ascii:
     readAscii(source, header, layout, stated, file);

@@ -163,7 +163,7 @@ PlyRows::readVertices(const PlyElement& element,
   FieldLayout layout = planLayout(scalarFieldsOf(element), source_);
   requireFit(element);
   const auto rows = static_cast<std::size_t>(element.rows);
-  CoordinateCheck check(layout.narrows);
+  CoordinateCheck check(layout.narrows, stated.scale);
   if (!text_ && !element.hasList()) {
     layout.subtract(RecordBlocks::findShift(source_, layout, swap_, rows, stated));
     check.setShift(layout.shift);

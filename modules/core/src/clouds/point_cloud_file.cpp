@@ -119,6 +119,11 @@ packedAdvice(const std::string& path)
          path.substr(0, path.rfind('.')) + ".las";
 }
 
+namespace {
+
+/** Takes a field of colours out of a cloud if all points are black, with a remark: some
+ * programs declare colours that they do not have.
+ * \param[in] data points of the cloud */
 void
 leaveOutBlackColors(PointCloudFile& file, const std::uint8_t* data)
 {
@@ -137,8 +142,6 @@ leaveOutBlackColors(PointCloudFile& file, const std::uint8_t* data)
   file.cloud.fields.erase(file.cloud.fields.begin() +
                           (color - file.cloud.fields.data()));
 }
-
-namespace {
 
 /** Multiplies \a count adjacent float32 values of each point.
  * \param[in,out] data rows of the cloud */
@@ -189,6 +192,8 @@ loadStatedCloud(const std::string& path, const CloudStatement& stated)
 {
   PointCloudFile file = readAnyCloud(path, nullptr, stated);
   scaleCloud(file, stated.scale);
+  if (stated.without_black)
+    leaveOutBlackColors(file, file.cloud.data.data());
   return file;
 }
 
@@ -205,7 +210,8 @@ loadCloudRows(const std::string& path,
     std::vector<std::uint8_t>().swap(data);
   }
   scaleRows(read, rows.data(), stated.scale);
-  leaveOutBlackColors(read, rows.data());
+  if (stated.without_black)
+    leaveOutBlackColors(read, rows.data());
   file = std::move(read);
   return CloudRows(file.cloud, std::move(rows));
 }

@@ -1,4 +1,3 @@
-#include "clouds/point_cloud_readers.h"
 #include "clouds/text_layout.h"
 
 #include <pcl/core/impl/arguments.h>
@@ -62,7 +61,6 @@ PointCloudFile
 PointCloudReader::read(const std::string& path) const
 {
   PointCloudFile file = acmap::loadStatedCloud(path, stated_);
-  acmap::leaveOutBlackColors(file, file.cloud.data.data());
   state(file);
   return file;
 }

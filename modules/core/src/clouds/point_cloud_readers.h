@@ -57,12 +57,6 @@ readPtx(ByteSource& source,
 std::string
 packedAdvice(const std::string& path);
 
-/** \brief Takes a field of colours out of a cloud if all points are black, with a remark: some
- * programs declare colours that they do not have.
- * \param[in] data points of the cloud */
-void
-leaveOutBlackColors(PointCloudFile& file, const std::uint8_t* data);
-
 /** \brief Finds the shift of points that were read from a text, and subtracts it from them.
  * \param[in] places x, y, z of all points in the file
  * \param[in] is_rounded the text was written of float32 */
@@ -145,9 +139,11 @@ shapeCloud(PCLPointCloud2& cloud,
 class CoordinateCheck {
 public:
   /** \param[in] narrowed the coordinates are converted from a type with more digits
-   * than float32 */
-  explicit CoordinateCheck(bool narrowed)
+   * than float32
+   * \param[in] scale metres in a unit of the file */
+  explicit CoordinateCheck(bool narrowed, double scale = 1)
   : narrowed_(narrowed)
+  , scale_(static_cast<float>(scale))
   {}
 
   /** \param[in] coordinates x of the first point of the block
@@ -174,6 +170,7 @@ public:
 
 private:
   bool narrowed_;
+  float scale_;
   bool dense_ = true;
   float largest_ = 0.0F; // only if narrowed
   Eigen::Vector3f zero_ = Eigen::Vector3f::Zero();

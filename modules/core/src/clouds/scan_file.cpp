@@ -52,7 +52,8 @@ ScanFile::ScanFile(const std::string& path, const std::optional<Eigen::Vector3d>
   content->scans = reader->scans();
   for (const acmap::E57Scan& scan : content->scans)
     if (content->shift.isZero(0))
-      content->shift = acmap::shiftOf(scan, scan.T_map_scan, {1, shift, {}}, *reader);
+      content->shift =
+          acmap::shiftOf(scan, scan.T_map_scan, {1, shift, {}, false}, *reader);
   for (const acmap::E57Scan& scan : content->scans) {
     if (!scan.remark.empty())
       content->remarks.push_back(scan.remark);

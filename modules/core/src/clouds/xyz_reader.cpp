@@ -218,7 +218,7 @@ readText(ByteSource& source, bool is_pts, const CloudStatement& stated)
   file.remarks = layout.remarks;
   shiftPlaces(table.places, stated, false, file);
   counts.tell(table.rows(), is_pts, file.remarks);
-  CoordinateCheck check(true);
+  CoordinateCheck check(true, stated.scale);
   check.setShift(file.shift);
   check.add(file);
   check.finish(file);

@@ -112,7 +112,7 @@ ObservationSequence::ObservationSequence(std::vector<std::string> files, double 
 void
 ObservationSequence::readFiles()
 {
-  cache_ = cacheOfFiles({*scale_, {}, {}});
+  cache_ = cacheOfFiles({*scale_, {}, {}, false});
   for (const std::string& path : paths_) {
     try {
       file_shift_ = cache_->load(path)->shift;
@@ -121,7 +121,7 @@ ObservationSequence::readFiles()
     catch (const InputFileException&) { // told when it is its turn
     }
   }
-  cache_ = cacheOfFiles({*scale_, file_shift_, {}});
+  cache_ = cacheOfFiles({*scale_, file_shift_, {}, false});
 }
 
 /** A point p of a file is p - file_shift_ in the memory, and T p in the map is T p - shift_
@@ -318,7 +318,7 @@ ObservationSequence::taken(acmap::ByteParcel& parcel)
   ObservationSequence sequence;
   sequence.scale_ = parcel.take<double>();
   parcel.takeAll(sequence.file_shift_.data(), 3);
-  sequence.cache_ = cacheOfFiles({*sequence.scale_, sequence.file_shift_, {}});
+  sequence.cache_ = cacheOfFiles({*sequence.scale_, sequence.file_shift_, {}, false});
   sequence.is_given_ = parcel.take<bool>();
   const bool has_trajectory = parcel.take<bool>();
   for (auto left = parcel.take<std::size_t>(); left > 0; --left) {

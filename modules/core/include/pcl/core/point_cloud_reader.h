@@ -103,7 +103,7 @@ private:
   void
   state(PointCloudFile& file) const;
 
-  acmap::CloudStatement stated_;
+  acmap::CloudStatement stated_{1, {}, {}, true};
   std::optional<double> scale_;
   std::optional<Eigen::Vector3d> up_;
   SensorStatement sensor_ = SensorStatement::Unstated;

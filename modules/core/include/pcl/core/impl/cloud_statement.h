@@ -13,6 +13,9 @@ struct CloudStatement {
   double scale = 1;                     ///< metres in a unit of the file
   std::optional<Eigen::Vector3d> shift; ///< to be subtracted, metres; none: found
   std::vector<std::string> columns;     ///< of a text; none: found
+
+  /** \brief Leave a field of colours out in which all points are black, with a remark. */
+  bool without_black = false;
 };
 
 } // namespace pcl::acmap
