@@ -139,7 +139,7 @@ addReading(CLI::App& app, PointCloudReader& reader)
       "--shift",
       [&reader](const std::string& text) {
         Eigen::Vector3d shift;
-        if (!readTriple(text, shift))
+        if (!readNumbers(text, shift))
           throw CLI::ValidationError("--shift",
                                      text + " is no three numbers as 665000,5648000,0");
         reader.setShift(shift);
