@@ -27,7 +27,7 @@ protected:
   StartingPoint
   start(bool skip_broken = false) const
   {
-    return openObservations(folder_.path(""), {}, skip_broken).start;
+    return openObservations(folder_.path(""), {}, skip_broken, {}, {}).start;
   }
 
   TemporaryFolder folder_;
@@ -35,9 +35,9 @@ protected:
 
 TEST_F(StartingPoints, AFileIsACloud)
 {
-  EXPECT_EQ(openObservations(folder_.path("none"), {}, false).start,
+  EXPECT_EQ(openObservations(folder_.path("none"), {}, false, {}, {}).start,
             StartingPoint::Cloud);
-  EXPECT_EQ(openObservations(folder_.write("a.ply", ""), {}, false).start,
+  EXPECT_EQ(openObservations(folder_.write("a.ply", ""), {}, false, {}, {}).start,
             StartingPoint::Cloud);
 }
 
