@@ -60,12 +60,11 @@ void
 run(Tool& tool, const ChainOptions& options)
 {
   checkPlaces(options);
-  const MapInput input = openObservations(
-      options.input,
-      options.bag,
-      options.texture.skip_broken,
-      options.rgbd,
-      tool.reader());
+  const MapInput input = openObservations(options.input,
+                                          options.bag,
+                                          options.texture.skip_broken,
+                                          options.rgbd,
+                                          tool.reader());
   requireSense(tool, options, input.start);
   const PicturesApart pictures(options.has_pictures, tool.log());
   OutputFolder folder(options.output);

@@ -96,6 +96,9 @@ kindOfFile(const std::string& path)
     return InputKind::CarmenLog;
   if (BagFile::isBag(path))
     return InputKind::Bag;
+  const std::string bytes = firstBytes(path);
+  if (beginsAsCarmenLog(bytes)) // whatever its ending
+    return InputKind::CarmenLog;
   for (const char* known : {".pcd",
                             ".ply",
                             ".obj",
@@ -112,11 +115,9 @@ kindOfFile(const std::string& path)
                             ".e57"})
     if (ending == known)
       return InputKind::Cloud;
-  const std::string bytes = firstBytes(path);
-  if (ending == ".json")
-    return bytes.find("\"planes\"") != bytes.npos ? InputKind::Planes
-                                                  : InputKind::Unknown;
-  return beginsAsCarmenLog(bytes) ? InputKind::CarmenLog : InputKind::Unknown;
+  const bool has_planes =
+      ending == ".json" && bytes.find("\"planes\"") != std::string::npos;
+  return has_planes ? InputKind::Planes : InputKind::Unknown;
 }
 
 /** \brief The tools for an input. */

@@ -59,7 +59,7 @@ TEST(InputKinds, OfFilesAreToldByEndingAndFirstBytes)
   EXPECT_EQ(kind("a.clf", ""), InputKind::CarmenLog);
   EXPECT_EQ(kind("a.LOG.gz", ""), InputKind::CarmenLog);
   EXPECT_EQ(kind("a.txt", scan), InputKind::CarmenLog);
-  EXPECT_EQ(kind("a.txt", "Some FLASER messages\n"), InputKind::Unknown);
+  EXPECT_EQ(kind("a.txt", "Some FLASER messages\n"), InputKind::Cloud);
   EXPECT_EQ(kind("a.gz", scan), InputKind::CarmenLog);
   EXPECT_EQ(kind("a.json", "{\"planes\": []}"), InputKind::Planes);
   EXPECT_EQ(kind("a.json", "{}"), InputKind::Unknown);
