@@ -32,7 +32,9 @@ renameLetters(std::vector<SourceField>& fields)
   constexpr std::array<std::pair<const char*, const char*>, 3> letters = {
       {{"r", "red"}, {"g", "green"}, {"b", "blue"}}};
   std::vector<SourceField> renamed = fields;
-  for (const auto& [letter, color] : letters) {
+  for (const auto& names : letters) {
+    const char* const letter = names.first;
+    const char* const color = names.second;
     if (isNamed(fields, color))
       return;
     const auto found =
