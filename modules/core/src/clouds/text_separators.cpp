@@ -44,8 +44,8 @@ hasGroups(std::string_view word)
   word = withoutSign(word);
   word = word.substr(0, word.find('.'));
   std::size_t comma = word.find(',');
-  if (comma == word.npos || comma > 3 || !areDigits(word.substr(0, comma)) ||
-      word[0] == '0')
+  constexpr std::size_t group = 3; // digits; without a comma, its place is beyond
+  if (comma > group || !areDigits(word.substr(0, comma)) || word[0] == '0')
     return false;
   for (; comma != word.npos; comma = word.find(',')) {
     word.remove_prefix(comma + 1);

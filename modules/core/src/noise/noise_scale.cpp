@@ -294,8 +294,8 @@ orderAt(const std::vector<double>& sorted, double end)
     return 0;
   const auto last = static_cast<double>(sorted.size() - 1);
   const double half = 1 / std::sqrt(std::min(last + 1, most));
-  return sorted[static_cast<std::size_t>(std::clamp(0.5 + end * half, 0.0, 1.0) * last +
-                                         0.5)];
+  return sorted[static_cast<std::size_t>(
+      std::lround(std::clamp(0.5 + end * half, 0.0, 1.0) * last))];
 }
 
 /** Does the plane pass through the middle voxel, so that the window contains the noise
