@@ -67,12 +67,12 @@ run(Tool& tool, const ChainOptions& options)
                                           tool.reader());
   requireSense(tool, options, input.start);
   const PicturesApart pictures(options.has_pictures, tool.log());
-  OutputFolder folder(options.output);
   tool.requireReportWritable(inputsOf(options));
   std::optional<pcl::SessionTruth> truth;
   if (!options.truth.empty())
     truth = pcl::loadSessionTruth(options.truth);
-  tool.setReportPlace(options.output + "/report.json");
+  tool.setOutputFolder(options.output);
+  OutputFolder folder(options.output);
 
   const auto values = [&](const std::string& group) { return valuesIn(tool, group); };
   MapRun made(options, values, tool.controls(), pictures, folder, tool.log());

@@ -15,6 +15,7 @@ main(int argc, char** argv)
     requireSense(tool, options);
     options.up = tool.reader().getUpDirection();
     tool.requireReportWritable({options.input()});
+    tool.setOutputFolder(options.output);
     if (options.log.empty())
       rectifyPoses(options,
                    pcl::ObservationSequence(options.folder, tool.reader().getScale()),
@@ -22,6 +23,5 @@ main(int argc, char** argv)
                    tool.log());
     else
       rectifyScans(options, tool.controls(), tool.log());
-    tool.setReportPlace(options.output + "/report.json");
   });
 }

@@ -208,7 +208,7 @@ run(Tool& tool, PatternOptions& options)
   timer.finish("draw");
   tellResults(options, generator, totals, window.get(), tool.log());
   if (folder)
-    tool.setReportPlace(options.output + "/report.json");
+    tool.setOutputFolder(options.output);
 }
 
 } // namespace

@@ -12,7 +12,7 @@ main(int argc, char** argv)
     const pcl::ObservationSequence sequence =
         observationsOf(options, tool.reader().getScale());
     tool.requireReportWritable(sequence.paths());
+    tool.setOutputFolder(options.output);
     estimatePoses(options, sequence, tool.controls(), tool.log());
-    tool.setReportPlace(options.output + "/report.json");
   });
 }

@@ -15,6 +15,7 @@ enum ExitCode {
   exit_nothing_found = 4,
   exit_output = 5,
   exit_memory = 6,
+  exit_contradicted = 7,
   exit_interrupted = 130
 };
 

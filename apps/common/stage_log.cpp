@@ -29,6 +29,7 @@ jsonOf(const StageLog& log)
   return {{"seconds", secondsOf(log.report)},
           {"summary", summary},
           {"warnings", log.report.remarks},
+          {"contradiction", log.contradiction},
           {"details", log.details}};
 }
 
@@ -42,6 +43,7 @@ stageLogIn(const Json& json)
     log.lines.emplace_back(line.at(0).get<std::string>(),
                            line.at(1).get<std::string>());
   log.report.remarks = json.at("warnings").get<std::vector<std::string>>();
+  log.contradiction = json.at("contradiction").get<std::string>();
   log.details = json.at("details").get_ref<const Json::object_t&>();
   return log;
 }

@@ -20,6 +20,8 @@ struct StageLog {
   std::vector<std::pair<std::string, std::string>> lines; ///< of the summary
   nlohmann::ordered_json details = nlohmann::ordered_json::object();
   Report report; ///< seconds of each step, warnings
+  /** \brief Why the result is wrong, if its own evidence contradicts it; else empty. */
+  std::string contradiction;
 
   /** \brief Adds a line to the summary. */
   void

@@ -149,7 +149,7 @@ private:
 
 constexpr const char* exit_code_text =
     "Exit codes: 0 done, 1 failed, 2 usage, 3 input unreadable or malformed, 4 nothing "
-    "found,\n5 output could not be written, 6 not enough memory, 130 interrupted.\n"
+    "found,\n5 output could not be written, 6 not enough memory, 7 the result contradicts itself,\n130 interrupted. "
     "Long options may also be spelt with one dash and underscores.";
 
 std::string
@@ -257,7 +257,11 @@ Tool::run(int argc, const char* const* argv, const std::function<void()>& work)
     work();
     writeReport();
     flushSummary();
-    return exit_done;
+    if (log_.contradiction.empty())
+      return exit_done;
+    complain(log_.contradiction + "; the result is in " + output_.setAside() +
+             ", and nothing is in its folder");
+    return exit_contradicted;
   }
   catch (...) {
     Failure failure = failureOf(std::current_exception());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contradicted_output.h"
 #include "exit_code.h"
 #include "stage_log.h"
 
@@ -107,12 +108,15 @@ public:
   void
   requireReportWritable(const std::vector<std::string>& others) const;
 
-  /** \brief Sets the default path of the report. */
+  /** \brief Names the folder of the results before they are made: that of the report,
+   * unless another one is given, and the one that is emptied if their own evidence
+   * contradicts them. */
   void
-  setReportPlace(const std::string& path)
+  setOutputFolder(const std::string& path)
   {
+    output_ = ContradictedOutput(path);
     if (report_path_.empty())
-      report_path_ = path;
+      report_path_ = path + "/report.json";
   }
 
   /** \brief Options of the run that all tools share. Its callback draws one progress bar
@@ -163,6 +167,7 @@ private:
   PointCloudReader reader_;
   std::vector<std::string> automatic_options_;
   std::string report_path_;
+  ContradictedOutput output_;
   bool quiet_ = false;
   bool is_silent_ = false;
   std::size_t memory_limit_ = 0; // bytes; 0: none

@@ -75,6 +75,8 @@ tellStage(const RunStage& stage, StageLog& log)
   if (!stage.removed.empty())
     log.tell("  removed", inOneLine(stage.removed) + " of the result before");
   log.warn(told.report.remarks);
+  if (log.contradiction.empty())
+    log.contradiction = told.contradiction;
   if (!stage.is_reused)
     log.report.seconds.emplace_back(stage.name, totalSeconds(told));
 }

@@ -111,10 +111,29 @@ tellEvidence(const EntropyRectificationReport& report, StageLog& log)
                }));
 }
 
+/** What an estimate of its own says of the poses. */
+void
+tellVerdict(const MapVerdictReport& verdict, StageLog& log)
+{
+  std::string reasons;
+  for (const std::string& reason : verdict.reasons)
+    reasons += (reasons.empty() ? "" : "; ") + reason;
+  log.tell("verdict",
+           std::string(nameIn(verdict_outcome_names, verdict.outcome)) + ": " +
+               reasons);
+  if (verdict.outcome == VerdictOutcome::Contradicted &&
+      verdict.given == VerdictOutcome::Contradicted)
+    log.contradiction =
+        "the poses are contradicted, and so are those that were found instead: " +
+        reasons + "; --odometry-noise states what the odometry errs by";
+}
+
 void
 tellOutcome(const EntropyRectificationReport& report, StageLog& log)
 {
   log.tell(outcomeName(report.outcome), report.reason);
+  if (report.verdict)
+    tellVerdict(*report.verdict, log);
   if (report.before.rays > 0)
     tellEvidence(report, log);
   log.tell("moved",

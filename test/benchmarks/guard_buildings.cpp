@@ -452,6 +452,127 @@ makeMoved(Random& random)
   return building;
 }
 
+/** Exactly equal corridors without rooms beside a spine, each of them visited. */
+Building
+makeEqualCorridors(Random& random)
+{
+  const int corridors = wholeBetween(random, 3, 6);
+  const double pitch = random.uniform(4, 9), length = random.uniform(6, 12);
+  const double half_width = random.uniform(0.8, 1.2);
+  FreeSpace space;
+  space.add(-2, -half_width, (corridors - 1) * pitch + 2, half_width);
+  Corners way{{-1, 0}};
+  for (int i = 0; i < corridors; ++i) {
+    const double x = i * pitch;
+    space.add(x - half_width, 0, x + half_width, length);
+    way.emplace_back(x, 0);
+    way.emplace_back(x, length - 1);
+    way.emplace_back(x, 0);
+  }
+  if (isTrue(random, 0.5))
+    way.emplace_back(-1, 0);
+  return buildingOf(space, drive(way, random.uniform(0.7, 1.1)), random);
+}
+
+/** Exactly equal rooms on one or both sides of a corridor, each of them visited. */
+Building
+makeEqualRooms(Random& random)
+{
+  const int rooms = wholeBetween(random, 3, 5);
+  const double width = random.uniform(3, 4.5), depth = random.uniform(3, 4.5);
+  const bool has_two_sides = isTrue(random, 0.5);
+  RoomedCorridor corridor;
+  corridor.length = 0.4 + rooms * (width + 0.15);
+  for (int i = 0; i < rooms; ++i)
+    for (const double side : {-1.0, 1.0})
+      if (side > 0 || has_two_sides) {
+        const double from = 0.2 + i * (width + 0.15);
+        corridor.rooms.push_back({from, from + width, depth, from + width / 2, side});
+      }
+  FreeSpace space;
+  corridor.addTo(space);
+  Corners way{corridor.at(0.6, 0)};
+  for (const SideRoom& room : corridor.rooms)
+    corridor.visit(room, 0.55, way);
+  way.push_back(corridor.at(corridor.length - 1, 0));
+  if (isTrue(random, 0.5))
+    way.push_back(corridor.at(1, 0));
+  return buildingOf(space, drive(way, random.uniform(0.7, 1)), random);
+}
+
+/** A square ring of four equal corridors, more than once around. */
+Building
+makeRing(Random& random)
+{
+  const double side = random.uniform(9, 18), half_width = random.uniform(0.8, 1.3);
+  const Corners corners{{0, 0}, {0, side}, {side, side}, {side, 0}};
+  FreeSpace space;
+  Corners way;
+  const int legs = wholeBetween(random, 5, 8);
+  for (std::size_t i = 0; i < 4; ++i)
+    space.addAround(corners[i], corners[(i + 1) % 4], half_width);
+  for (int i = 0; i <= legs; ++i)
+    way.push_back(corners[static_cast<std::size_t>(i % 4)]);
+  return buildingOf(space, drive(way, random.uniform(0.7, 1)), random);
+}
+
+/** A long corridor with hardly anything along it, there or there and back. */
+Building
+makeLongCorridor(Random& random)
+{
+  const double length = random.uniform(40, 80), half_width = random.uniform(0.9, 1.4);
+  const Eigen::Vector2d end(0, length);
+  FreeSpace space;
+  space.addAround({0, 0}, end, half_width);
+  addNiches(space, {0, 0}, end, half_width, random);
+  Corners way{{0, 0}, end};
+  if (isTrue(random, 0.5))
+    way.emplace_back(0, length * random.uniform(0, 0.6));
+  return buildingOf(space, drive(way, random.uniform(0.7, 1)), random);
+}
+
+/** A building and its exact copy, joined by a passage. */
+Building
+makeTwins(Random& random)
+{
+  RoomedCorridor first;
+  first.length = random.uniform(8, 11);
+  addRooms(first, 3, 4.5, random);
+  const Corners tour = tourOf(first, 2, random);
+  RoomedCorridor second = first;
+  second.begin = {random.uniform(13, 17), 0};
+  FreeSpace space;
+  first.addTo(space);
+  second.addTo(space);
+  space.add(-1, -1, second.begin[0] + 1, 1);
+  Corners way = tour;
+  way.emplace_back(0, 0);
+  way.push_back(second.begin);
+  for (const Eigen::Vector2d& corner : tour)
+    way.push_back(second.begin + corner);
+  return buildingOf(space, drive(way, random.uniform(0.8, 1.1)), random);
+}
+
+/** Rooms most of whose furniture is somewhere else at the second visit. */
+Building
+makeRefurnished(Random& random)
+{
+  RoomedCorridor corridor;
+  corridor.length = random.uniform(10, 16);
+  addRooms(corridor, 3.5, 6, random);
+  FreeSpace space;
+  corridor.addTo(space);
+  Building building;
+  Corners way = tourOf(corridor, 4, random);
+  const Corners again = way;
+  way.insert(way.end(), again.begin(), again.end());
+  building.walls = space.outline();
+  building.path = drive(way, random.uniform(0.7, 1));
+  building.reach = reachOf(random);
+  addFurniture(building, wholeBetween(random, 30, 60), true, random);
+  return building;
+}
+
 } // namespace
 
 void
@@ -487,6 +608,18 @@ buildingKinds()
                                                {"curved walls", makeCurved},
                                                {"wings", makeWings},
                                                {"moved furniture", makeMoved}};
+  return kinds;
+}
+
+const std::vector<BuildingKind>&
+lookalikeKinds()
+{
+  static const std::vector<BuildingKind> kinds{{"equal corridors", makeEqualCorridors},
+                                               {"equal rooms", makeEqualRooms},
+                                               {"ring", makeRing},
+                                               {"long corridor", makeLongCorridor},
+                                               {"twin buildings", makeTwins},
+                                               {"refurnished", makeRefurnished}};
   return kinds;
 }
 

@@ -36,6 +36,10 @@ struct BuildingKind {
 const std::vector<BuildingKind>&
 buildingKinds();
 
+/** \brief Kinds with places that look alike, or change; made for the verdict. */
+const std::vector<BuildingKind>&
+lookalikeKinds();
+
 /** \brief Adds boxes beside the path of the robot, 0.3 to 1 m wide.
  * \param[in] moves the boxes are in their places for one half of the recording only */
 void

@@ -3,6 +3,7 @@
 #include "rectification_runs.h"
 
 #include <pcl/core/planar_scan.h>
+#include <pcl/simulation/standard_scenes.h>
 
 #include <atomic>
 #include <cstdlib>
@@ -123,11 +124,25 @@ logs()
   return maps;
 }
 
-/** \param[in] kind of a building, or the name of a log */
+const std::vector<RectificationMap>&
+scenes()
+{
+  static const std::vector<RectificationMap> maps = [] {
+    std::vector<RectificationMap> made;
+    for (const char* name : {"corridor", "l_corridor", "loop"})
+      made.push_back(makeSceneMap(standardScene(name)));
+    return made;
+  }();
+  return maps;
+}
+
+/** \param[in] kind of a building, or the name of a log or of a scene */
 RectificationMap
 mapOf(const std::string& kind, GuardVariant variant, Random& random)
 {
-  for (const BuildingKind& of_building : buildingKinds())
+  std::vector<BuildingKind> kinds = buildingKinds();
+  kinds.insert(kinds.end(), lookalikeKinds().begin(), lookalikeKinds().end());
+  for (const BuildingKind& of_building : kinds)
     if (of_building.name == kind) {
       Building building = of_building.make(random);
       if (variant == GuardVariant::MovedFurniture)
@@ -136,6 +151,9 @@ mapOf(const std::string& kind, GuardVariant variant, Random& random)
       laser.reach = building.reach;
       return scanBuilding(building, laser, random);
     }
+  for (const RectificationMap& scene : scenes())
+    if (scene.name == kind)
+      return scene;
   return *std::find_if(
       logs().begin(), logs().end(), [&](auto& log) { return log.name == kind; });
 }
@@ -146,6 +164,7 @@ struct GuardRun {
   std::uint64_t seed = 1;
   double level = 1; ///< factor of the usual drift
   RectificationRun run;
+  double candidate = 0; ///< metres, aligned error of the poses that the verdict judged
 
   /** Is the map worse than before? Errors below half a bin, 0.05 m, are within the
    * accuracy of any map made of such bins: a map with less is as good as another.
@@ -186,6 +205,7 @@ runCase(GuardRun& made)
   const double told = variant == GuardVariant::ToldTooSmall   ? 1.0 / 3
                       : variant == GuardVariant::ToldTooLarge ? 3.0
                                                               : 1.0;
+  const std::vector<PlanarPose> truth = map.truth;
   made.run = rectifyMap(
       map, drifted(map.truth, drift, random), [&](Rectification& rectification) {
         OdometryNoise noise;
@@ -196,18 +216,22 @@ runCase(GuardRun& made)
           *part *= told;
         rectification.setOdometryNoise(noise);
       });
+  made.candidate = made.run.after.aligned;
+  if (!made.run.report.refused_poses.empty())
+    made.candidate =
+        absoluteTrajectoryError(made.run.report.refused_poses, truth).aligned;
 }
 
 using GuardRuns = std::vector<GuardRun>;
 
 /** Runs each kind with some seeds, two runs at a time. */
 GuardRuns
-runKinds(const std::vector<std::string>& kinds)
+runKinds(const std::vector<std::string>& kinds, std::uint64_t first_seed = 1)
 {
   const char* const told = std::getenv("ACMAP_GUARD_RUNS");
-  const std::uint64_t last_seed = told ? std::strtoull(told, nullptr, 10) : 40;
+  const std::uint64_t number = told ? std::strtoull(told, nullptr, 10) : 40;
   GuardRuns runs;
-  for (std::uint64_t seed = 1; seed <= last_seed; ++seed)
+  for (std::uint64_t seed = first_seed; seed < first_seed + number; ++seed)
     for (const std::string& kind : kinds)
       runs.push_back({kind, seed, 1, {}});
   std::atomic<std::size_t> next{0};
@@ -296,6 +320,103 @@ const Section held_out_section("held_out", [] {
   for (const BuildingKind& kind : buildingKinds())
     kinds.push_back(kind.name);
   printGroup(kinds);
+});
+
+/** Is a trajectory worse than before, as the verdict has it? */
+bool
+isWorseAligned(const GuardRun& one)
+{
+  return one.candidate > 1.1 * one.run.before.aligned + 0.05;
+}
+
+bool
+isAccepted(const GuardRun& one)
+{
+  return one.run.report.outcome == RectificationOutcome::Rectified;
+}
+
+void
+printVerdicts(const std::string& name, const GuardRuns& runs)
+{
+  const auto ofOutcome = [&](const auto& is, VerdictOutcome outcome) {
+    return countOf(runs, [&](const GuardRun& one) {
+      return is(one) && one.run.report.verdict &&
+             one.run.report.verdict->outcome == outcome;
+    });
+  };
+  const auto isBetter = [](const GuardRun& one) {
+    return one.candidate < 0.5 * one.run.before.aligned;
+  };
+  const std::size_t better = countOf(runs, isBetter);
+  const std::size_t accepted = countOf(
+      runs, [&](const GuardRun& one) { return isBetter(one) && isAccepted(one); });
+  const std::size_t within = countOf(runs, [](const GuardRun& one) {
+    return one.run.report.verdict &&
+           one.candidate <= one.run.report.verdict->e95 + 0.03;
+  });
+  const std::size_t judged = countOf(
+      runs, [](const GuardRun& one) { return one.run.report.verdict.has_value(); });
+  Row() << name << runs.size()
+        << atMost(countOf(
+                      runs,
+                      [](auto& one) { return isAccepted(one) && isWorseAligned(one); }),
+                  0,
+                  0)
+        << countOf(runs, isWorseAligned)
+        << ofOutcome(isWorseAligned, VerdictOutcome::Contradicted)
+        << ofOutcome(isWorseAligned, VerdictOutcome::Undetermined) << better
+        << figure(percent(accepted, better), 1)
+        << ofOutcome(isBetter, VerdictOutcome::Contradicted)
+        << ofOutcome(isBetter, VerdictOutcome::Undetermined)
+        << figure(percent(within, judged), 1);
+}
+
+void
+printVerdictsOf(const std::vector<std::string>& kinds)
+{
+  constexpr std::uint64_t first_seed = 41;
+  const GuardRuns runs = runKinds(kinds, first_seed);
+  printHead(
+      "runs with | runs | worse and accepted | worse | contradicted | undetermined | "
+      "better | accepted, % | contradicted | undetermined | within e95, %");
+  printVerdicts("all", runs);
+  for (const std::string& kind : kinds) {
+    GuardRuns some;
+    std::copy_if(runs.begin(), runs.end(), std::back_inserter(some), [&](auto& one) {
+      return one.kind == kind;
+    });
+    printVerdicts(kind, some);
+  }
+  const auto seconds = valuesOf(runs, [](auto& one) { return one.run.seconds; });
+  std::cout << "\nCPU: median " << median(seconds) << " s, most " << largest(seconds)
+            << " s. Worse and accepted, or better and not accepted:\n\n";
+  for (const GuardRun& one : runs)
+    if ((isAccepted(one) && isWorseAligned(one)) ||
+        (!isAccepted(one) && one.candidate < 0.5 * one.run.before.aligned)) {
+      std::cout << "- " << one.kind << ' ' << one.seed << ": drift x " << one.level
+                << ", " << nameOf(one.run.report.outcome) << ", "
+                << one.run.before.aligned << " m before, " << one.candidate
+                << " m found";
+      if (one.run.report.verdict)
+        for (const std::string& reason : one.run.report.verdict->reasons)
+          std::cout << "; " << reason;
+      std::cout << '\n';
+    }
+}
+
+const Section verdict_section("verdict", [] {
+  std::vector<std::string> kinds;
+  for (const auto* all : {&buildingKinds(), &lookalikeKinds()})
+    for (const BuildingKind& kind : *all)
+      kinds.push_back(kind.name);
+  printVerdictsOf(kinds);
+});
+
+const Section space_section("space", [] {
+  std::vector<std::string> names;
+  for (const RectificationMap& scene : scenes())
+    names.push_back(scene.name);
+  printVerdictsOf(names);
 });
 
 const Section logs_section("logs", [] {

@@ -2,9 +2,11 @@
 #include <pcl/mapping/impl/entropy_rectification.hpp>
 #include <pcl/mapping/impl/map_entropy.hpp>
 #include <pcl/mapping/impl/map_levelling.hpp>
+#include <pcl/mapping/impl/map_verdict.hpp>
 #include <pcl/mapping/impl/plane_adjustment.hpp>
 
 PCL_INSTANTIATE(MapEntropy, ACMAP_MAP_POINT_TYPES)
 PCL_INSTANTIATE(EntropyRectification, ACMAP_MAP_POINT_TYPES)
 PCL_INSTANTIATE(MapLevelling, ACMAP_MAP_POINT_TYPES)
+PCL_INSTANTIATE(MapVerdict, ACMAP_MAP_POINT_TYPES)
 PCL_INSTANTIATE(PlaneAdjustment, ACMAP_MAP_POINT_TYPES(pcl::PointXYZRGBSigma))

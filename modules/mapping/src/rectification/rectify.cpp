@@ -1,3 +1,5 @@
+#include "../odometry_sigmas.h"
+#include "../verdict/independent_estimate.h"
 #include "rectification_steps.h"
 #include "remaining_error.h"
 
@@ -7,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace pcl::acmap {
 namespace {
@@ -97,11 +101,12 @@ searchAlongAxes(const RectificationTask& task,
 }
 
 OdometryNoise
-scaled(OdometryNoise noise, double factor)
+scaled(OdometryNoise noise, double lengths, double turns)
 {
-  for (double* const sigma :
-       {&noise.length, &noise.length_per_metre, &noise.turn, &noise.turn_per_radian})
-    *sigma *= factor;
+  noise.length *= lengths;
+  noise.length_per_metre *= lengths;
+  noise.turn *= turns;
+  noise.turn_per_radian *= turns;
   return noise;
 }
 
@@ -122,12 +127,12 @@ tellRemainingError(const RectificationTask& task,
                                 "poses are wrong is not known");
     return;
   }
-  report.expected_error = remainingError(
-      task.observations,
-      result,
-      given,
-      scaled(task.settings.odometry, std::max(1.0, report.odometry_scale)),
-      task.settings.bin_size);
+  const double scale = std::max(1.0, report.odometry_scale);
+  report.expected_error = remainingError(task.observations,
+                                         result,
+                                         given,
+                                         scaled(task.settings.odometry, scale, scale),
+                                         task.settings.bin_size);
   const double left = report.expected_error.value_or(0);
   if (report.outcome == RectificationOutcome::Rectified && left > told &&
       report.after.far_rays < seen_again &&
@@ -156,6 +161,78 @@ whatHinders(EntropySearch& search,
   return terms.points == 0 || terms.dimensions < 2 ? told.remarks.front() : "";
 }
 
+/** The odometry without the errors that neighbouring scans show in all of its steps, and the
+ * noise that is left, if it errs more than is assumed. */
+std::vector<PlanarPose>
+mendedOdometry(const MeasuredOdometry& measured,
+               const std::vector<PlanarPose>& given,
+               OdometryNoise& noise,
+               EntropyRectificationReport& report)
+{
+  constexpr double usual = 1.5; // a factor that is within what the search permits
+  const auto& [across, ahead, turn] = measured.components;
+  const auto factorOf = [](const MeasuredOdometry::Component& one) {
+    return std::hypot(one.scale, one.bias);
+  };
+  if (std::max({factorOf(across), factorOf(ahead), factorOf(turn)}) <= usual)
+    return given;
+  std::vector<PlanarPose> mended{given.front()};
+  for (std::size_t t = 1; t < given.size(); ++t) {
+    PlanarAction action = actionBetween(given[t - 1], given[t]);
+    const double length = lengthSigma(noise, std::hypot(action.dx, action.dz));
+    const double angle = turnSigma(noise, std::abs(action.dtheta));
+    action.dx -= across.bias * length;
+    action.dz -= ahead.bias * length;
+    action.dtheta -= turn.bias * angle;
+    mended.push_back(moved(mended.back(), action));
+  }
+  const double lengths = std::max({1.0, across.scale, ahead.scale});
+  const double turns = std::max(1.0, turn.scale);
+  noise = scaled(noise, lengths, turns);
+  report.remarks.push_back(
+      "the odometry errs more than is assumed, as neighbouring scans show: " +
+      shortNumber(lengths) + " times as much in lengths and " + shortNumber(turns) +
+      " times in turns, and by " + shortNumber(turn.bias) +
+      " standard deviations in each turn; this was taken (--odometry-noise states "
+      "another)");
+  return mended;
+}
+
+/** Keeps the given poses unless the verdict says that others are better.
+ * \param[in] is_strict keeps them also if it says nothing: not for views in space, of which
+ * its estimate knows too little */
+std::vector<PlanarPose>
+judged(const IndependentEstimate& estimate,
+       const std::vector<PlanarPose>& given,
+       std::vector<PlanarPose> result,
+       bool is_strict,
+       EntropyRectificationReport& report)
+{
+  if (report.outcome != RectificationOutcome::Rectified) {
+    report.verdict = estimate.judgeGiven();
+    // the rays have found nothing better: they outweigh a wrong match of two scans
+    if (report.outcome == RectificationOutcome::Kept &&
+        report.verdict->outcome == VerdictOutcome::Contradicted)
+      report.verdict->outcome = VerdictOutcome::Undetermined;
+    return given;
+  }
+  report.verdict = estimate.judge(result);
+  const VerdictOutcome outcome = report.verdict->outcome;
+  const bool is_worse = outcome == VerdictOutcome::Contradicted;
+  if (outcome == VerdictOutcome::Consistent || (!is_strict && !is_worse))
+    return result;
+  report.outcome =
+      is_worse ? RectificationOutcome::Refused : RectificationOutcome::Undetermined;
+  report.reason = is_worse
+                      ? "an estimate from neighbouring observations, places that are "
+                        "seen again and the odometry contradicts the rectified poses"
+                      : "nothing proves that the rectified poses are better";
+  for (const std::string& reason : report.verdict->reasons)
+    report.reason += "; " + reason;
+  report.refused_poses = std::move(result);
+  return given;
+}
+
 } // namespace
 
 std::vector<PlanarPose>
@@ -168,16 +245,29 @@ rectify(const std::vector<LevelledPoints>& observations,
   if (poses.size() != observations.size())
     throw acmap::BadArgument("each observation needs one pose");
   count(observations, report);
-  const RectificationTask task{observations, settings, progress, report};
+  std::optional<IndependentEstimate> estimate;
+  RectificationSettings taken = settings;
+  std::vector<PlanarPose> start = poses;
+  if (settings.mode == RectificationMode::Guarded && poses.size() > 1) {
+    estimate.emplace(observations, poses, settings.odometry, settings.seed, progress);
+    if (!settings.is_odometry_stated && areScans(observations))
+      start = mendedOdometry(estimate->odometry(), poses, taken.odometry, report);
+  }
+  const RectificationTask task{observations, taken, progress, report};
   EntropySearch search(task);
   std::vector<PlanarPose> result = poses;
   report.reason = whatHinders(search, poses, settings.bin_size);
   if (report.reason.empty())
-    result = searchAlongAxes(task, search, poses);
+    result = searchAlongAxes(task, search, start);
   else
     measureQuality(observations, poses, report.before);
   if (report.outcome == RectificationOutcome::Undetermined)
     report.after = report.before;
+  if (report.outcome != RectificationOutcome::Rectified)
+    result = poses;
+  if (estimate)
+    result =
+        judged(*estimate, poses, std::move(result), areScans(observations), report);
   if (report.outcome == RectificationOutcome::Undetermined ||
       report.outcome == RectificationOutcome::Refused)
     report.remarks.push_back("the poses are as they came: " + report.reason);

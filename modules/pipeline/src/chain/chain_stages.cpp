@@ -214,7 +214,8 @@ runRectification(ChainState& state,
   levelAll(state, settings, run.threads);
   EntropyRectification<PointNormal> rectification = settings.rectification;
   rectification.setUpDirection(state.report.levelling->axis);
-  rectification.setOdometryNoise(state.noise);
+  if (state.estimated.noise)
+    rectification.setOdometryNoise(state.noise);
   rectification.setNumberOfThreads(run.threads);
   rectification.setProgressCallback(partOf(run.progress, 0.4, 1));
   rectification.clear();

@@ -142,7 +142,7 @@ public:
   bool
   hasOdometryNoise() const
   {
-    return has_odometry_noise_;
+    return settings_.is_odometry_stated;
   }
 
   /** \brief Sets the up direction of the map: poses are translated perpendicularly to it
@@ -195,7 +195,6 @@ private:
   surfaces() const;
 
   acmap::RectificationSettings settings_;
-  bool has_odometry_noise_ = false; ///< was it set?
   std::optional<Eigen::Vector3d> up_;
 };
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <pcl/core/fields.h>
+#include <pcl/core/planar_pose.h>
 #include <pcl/core/report.h>
+#include <pcl/mapping/map_verdict_types.h>
 
 #include <Eigen/Core>
 
@@ -149,6 +151,12 @@ struct EntropyRectificationReport : Report {
    * the first one, may be wrong in the map that was rectified or kept, by an estimate from
    * neighbouring walls and the odometry that is independent of the entropy. */
   std::optional<double> expected_error;
+  /** \brief The verdict on the poses that were found, by an estimate of its own; nothing
+   * unless the observations are scans of a planar laser (Guarded mode). */
+  std::optional<MapVerdictReport> verdict;
+  /** \brief The poses that the verdict did not accept, in a frame whose y axis points down;
+   * empty if there are none. */
+  std::vector<PlanarPose> refused_poses;
   std::vector<RectificationStep> steps;
   MapEvidence before, after;  ///< after: of the best candidate, even if refused
   std::vector<double> moved;  ///< metres, for each observation
@@ -175,6 +183,7 @@ visitFields(const EntropyRectificationReport& report, Visitor&& visit)
   visit({"strongest_action"}, report.strongest_action);
   visit({"disagreement", "m"}, report.disagreement);
   visit({"expected_error", "m"}, report.expected_error);
+  visit({"verdict"}, report.verdict);
   visit({"before"}, report.before);
   visit({"after"}, report.after);
   visit({"moved", "m"}, report.moved);

@@ -4,23 +4,10 @@
 #include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/planar_pose.h>
 #include <pcl/mapping/entropy_rectification.h>
+#include <pcl/mapping/impl/levelled_clouds.h>
 #include <pcl/mapping/impl/plane_adjustment_kernel.h>
-#include <pcl/mapping/impl/posed_clouds.h>
 
 namespace pcl {
-namespace acmap {
-
-template <typename PointT>
-LevelledPoints
-levelled(const PointCloud<PointT>& cloud,
-         const Eigen::Isometry3d& T_map_camera,
-         const std::vector<float>& weights)
-{
-  return levelledPoints(pointsOf(cloud), normalsOf(cloud), T_map_camera, weights);
-}
-
-} // namespace acmap
-
 template <typename PointT>
 void
 EntropyRectification<PointT>::setBinSize(double metres)
@@ -59,7 +46,7 @@ EntropyRectification<PointT>::setOdometryNoise(const OdometryNoise& noise)
 {
   acmap::requireOdometryNoise(noise);
   settings_.odometry = noise;
-  has_odometry_noise_ = true;
+  settings_.is_odometry_stated = true;
 }
 
 template <typename PointT>
@@ -97,30 +84,26 @@ EntropyRectification<PointT>::compute()
   acmap::StepTimer timer(report);
   acmap::addRemarks(report,
                     acmap::lengthRemarks(acmap::pointsOf(*this->loaders_.front()())));
-  std::vector<acmap::LevelledPoints> observations(this->poses_.size());
-  std::vector<PlanarPose> poses;
   const Eigen::Quaterniond upright =
       uprightRotation(acmap::verticalOf(surfaces(), this->given_, up_, report));
-  std::vector<Eigen::Isometry3d> given;
-  for (const Eigen::Isometry3d& pose : this->given_) {
-    given.push_back(upright * pose);
-    poses.push_back(planarPartOf(given.back()));
-  }
+  acmap::LevelledClouds level;
+  std::vector<PlanarPose> poses;
   acmap::withThreads(this->threads_, [&] {
-    oneapi::tbb::parallel_for(std::size_t{0}, this->poses_.size(), [&](std::size_t i) {
-      observations[i] =
-          acmap::levelled(*this->loaders_[i](), given[i], this->weights_[i]);
-    });
+    level =
+        acmap::levelledClouds(this->loaders_, this->weights_, this->given_, upright);
     timer.finish("level");
-    poses = acmap::rectify(
-        observations, poses, settings_, acmap::Progress(this->progress_), report);
+    poses = acmap::rectify(level.observations,
+                           level.poses,
+                           settings_,
+                           acmap::Progress(this->progress_),
+                           report);
   });
   timer.finish("search");
   const bool is_new = report.outcome == RectificationOutcome::Rectified;
   for (std::size_t i = 0; i < this->given_.size(); ++i)
-    this->poses_[i] =
-        is_new ? upright.inverse() * isometryOf(poses[i]) * acmap::levelOf(given[i])
-               : this->given_[i];
+    this->poses_[i] = is_new ? upright.inverse() * isometryOf(poses[i]) *
+                                   acmap::levelOf(level.given[i])
+                             : this->given_[i];
   this->report_ = std::move(report);
 }
 

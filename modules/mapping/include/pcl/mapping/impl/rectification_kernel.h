@@ -23,6 +23,7 @@ struct RectificationSettings {
   std::optional<double> projection_weight; ///< mu; none: 0 (Guarded), 0.1 (Paper)
   std::optional<double> smoothing; ///< metres, sigma_XZ (Paper); none: the bin size
   OdometryNoise odometry;
+  bool is_odometry_stated = false; ///< otherwise Guarded measures it, where scans tell it
   std::uint64_t seed = 1;
 };
 
@@ -37,6 +38,7 @@ visitFields(const RectificationSettings& settings, Visitor&& visit)
   visit({"projection_weight"}, settings.projection_weight);
   visit({"smoothing", "m"}, settings.smoothing);
   visit({"odometry"}, settings.odometry);
+  visit({"is_odometry_stated"}, settings.is_odometry_stated);
   visit({"seed"}, settings.seed);
 }
 
