@@ -169,7 +169,7 @@ mendedOdometry(const MeasuredOdometry& measured,
                OdometryNoise& noise,
                EntropyRectificationReport& report)
 {
-  constexpr double usual = 1.5; // a factor that is within what the search permits
+  constexpr double usual = 2.5; // a factor that is within what the search permits
   const auto& [across, ahead, turn] = measured.components;
   const auto factorOf = [](const MeasuredOdometry::Component& one) {
     return std::hypot(one.scale, one.bias);
@@ -186,8 +186,12 @@ mendedOdometry(const MeasuredOdometry& measured,
     action.dtheta -= turn.bias * angle;
     mended.push_back(moved(mended.back(), action));
   }
-  const double lengths = std::max({1.0, across.scale, ahead.scale});
-  const double turns = std::max(1.0, turn.scale);
+  // powers of two: rounding must not change the energy
+  const auto scaleOf = [](double factor) {
+    return std::exp2(std::round(std::log2(std::max(1.0, factor))));
+  };
+  const double lengths = scaleOf(std::max(across.scale, ahead.scale));
+  const double turns = scaleOf(turn.scale);
   noise = scaled(noise, lengths, turns);
   report.remarks.push_back(
       "the odometry errs more than is assumed, as neighbouring scans show: " +

@@ -176,8 +176,9 @@ drawPoses(const StepChain& chain,
                                              Eigen::Vector3d::Zero());
   drawn.mean = pathOf(chain.links, nothing);
   std::vector<PoseLink> links = chain.links;
+  links.insert(links.end(), chain.skips.begin(), chain.skips.end());
   links.insert(links.end(), revisits.begin(), revisits.end());
-  for (int k = 0; k < (revisits.empty() ? 0 : solver_iterations); ++k) {
+  for (int k = 0; k < solver_iterations; ++k) {
     std::vector<Eigen::Vector3d> residuals;
     for (const PoseLink& link : links)
       residuals.push_back(differenceOf(
@@ -188,11 +189,6 @@ drawPoses(const StepChain& chain,
   Random random(seed);
   for (std::size_t draw = 0; draw < number_of_draws; ++draw) {
     const auto added = disturbances(links, chain.links.size(), random);
-    if (revisits
-            .empty()) { // without loops the steps follow each other, however they turn
-      drawn.draws.push_back(pathOf(links, added));
-      continue;
-    }
     drawn.draws.push_back(drawn.mean);
     addTo(drawn.draws.back(), graph.solve(added));
   }

@@ -14,6 +14,7 @@ namespace pcl::acmap {
 namespace {
 
 constexpr double step_doubt = 4;    ///< factor of the covariance of matches
+constexpr double skip_doubt = 8;    ///< they share scans with the steps
 constexpr double good = 0.7;        ///< quality
 constexpr double clear_merit = 180; ///< raw units
 constexpr double clear_gain = 64;   ///< raw units, over the odometry's step
@@ -66,20 +67,24 @@ matchedSteps(const std::vector<BeamScan>& scans,
   return steps;
 }
 
-/** Factor of the covariances of the matches, by matches over two steps. */
-double
-inflationOf(const std::vector<BeamScan>& scans, const std::vector<Step>& steps)
+/** A match over two steps. */
+struct Skip {
+  ScanMatch match;
+  double distance = -1; ///< squared, of Mahalanobis, from both steps; below 0: not good
+};
+
+std::vector<Skip>
+matchedSkips(const std::vector<BeamScan>& scans, const std::vector<Step>& steps)
 {
-  if (steps.size() < 2)
-    return 1;
-  std::vector<double> distances(steps.size() - 1, -1);
-  oneapi::tbb::parallel_for(std::size_t{0}, distances.size(), [&](std::size_t t) {
+  std::vector<Skip> skips(steps.size() - 1);
+  oneapi::tbb::parallel_for(std::size_t{0}, skips.size(), [&](std::size_t t) {
     const ScanMatch &first = steps[t].match, &second = steps[t + 1].match;
     const PlanarPose both = composed(first.T_i_j, second.T_i_j);
-    const ScanMatch direct = matchScans(scans[t], scans[t + 2], both);
-    for (const ScanMatch* one : {&first, &second, &direct})
-      if (!(one->score.quality() > good))
-        return;
+    ScanMatch& direct = skips[t].match = matchScans(scans[t], scans[t + 2], both);
+    if (!(std::min(
+              {first.score.quality(), second.score.quality(), direct.score.quality()}) >
+          good))
+      return;
     const Eigen::Matrix3d a = partOfFirst(first.T_i_j, second.T_i_j);
     const Eigen::Matrix3d b = partOfSecond(first.T_i_j);
     const Eigen::Matrix3d covariance =
@@ -87,13 +92,42 @@ inflationOf(const std::vector<BeamScan>& scans, const std::vector<Step>& steps)
         b * covarianceOf(second, step_doubt) * b.transpose() +
         covarianceOf(direct, step_doubt);
     const Eigen::Vector3d off = differenceOf(both, direct.T_i_j);
-    distances[t] = off.dot(covariance.inverse() * off);
+    skips[t].distance = off.dot(covariance.inverse() * off);
   });
-  distances.erase(std::remove(distances.begin(), distances.end(), -1.0),
-                  distances.end());
-  if (distances.empty())
-    return 1;
-  return std::clamp(2 * quantileOf(distances, 0.9) / chi_square_90, 1.0, 25.0);
+  return skips;
+}
+
+/** The matches over two steps that agree with both and tell all directions: where scans can
+ * slide along a corridor, the same error would count twice. */
+std::vector<PoseLink>
+linksOf(const std::vector<Skip>& skips, double inflation)
+{
+  constexpr double determined = 0.03; // metres
+  std::vector<PoseLink> links;
+  for (std::size_t t = 0; t < skips.size(); ++t) {
+    const Eigen::Matrix3d covariance =
+        covarianceOf(skips[t].match, step_doubt * inflation);
+    if (skips[t].distance >= 0 && skips[t].distance < chi_square_90 * inflation &&
+        covariance.topLeftCorner<2, 2>().trace() < determined * determined)
+      links.push_back({t,
+                       t + 2,
+                       skips[t].match.T_i_j,
+                       covarianceOf(skips[t].match, skip_doubt * inflation)});
+  }
+  return links;
+}
+
+/** Factor of the covariances of the matches. */
+double
+inflationOf(const std::vector<Skip>& skips)
+{
+  std::vector<double> distances;
+  for (const Skip& skip : skips)
+    if (skip.distance >= 0)
+      distances.push_back(skip.distance);
+  return distances.empty()
+             ? 1
+             : std::clamp(2 * quantileOf(distances, 0.9) / chi_square_90, 1.0, 25.0);
 }
 
 /** Bias and scale of the odometry in units of its assumed sigmas. */
@@ -197,7 +231,8 @@ chainOfSteps(const std::vector<BeamScan>& scans,
 {
   StepChain chain;
   std::vector<Step> steps = matchedSteps(scans, odometry, assumed);
-  chain.inflation = inflationOf(scans, steps);
+  const std::vector<Skip> skips = matchedSkips(scans, steps);
+  chain.inflation = inflationOf(skips);
   for (Step& step : steps)
     step.covariance = covarianceOf(step.match, step_doubt * chain.inflation);
   noise.steps = steps.size();
@@ -205,6 +240,7 @@ chainOfSteps(const std::vector<BeamScan>& scans,
   findSlips(steps, noise);
   for (std::size_t t = 0; t < steps.size(); ++t)
     chain.links.push_back(fused(t, steps[t], noise));
+  chain.skips = linksOf(skips, chain.inflation);
   return chain;
 }
 

@@ -20,6 +20,7 @@ struct PoseLink {
 /** \brief The steps of a trajectory, by scans and odometry together. */
 struct StepChain {
   std::vector<PoseLink> links; ///< one a step
+  std::vector<PoseLink> skips; ///< over two steps, by scans alone
   double inflation = 1;        ///< alpha, of the covariances of matches
 };
 
