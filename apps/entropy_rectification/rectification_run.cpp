@@ -74,6 +74,7 @@ detailsOf(const RectificationOptions& options, const EntropyRectificationReport&
                            {"up_reason"},
                            {"votes"},
                            {"accepted_moves"},
+                           {"refused_poses"}, // as many as there are observations
                            {"steps"}}));
   details["steps"] = columnsOf(report.steps);
   details["rectification_seconds"] = secondsOf(report);
@@ -111,21 +112,27 @@ tellEvidence(const EntropyRectificationReport& report, StageLog& log)
                }));
 }
 
-/** What an estimate of its own says of the poses. */
+/** What an estimate of its own says of the poses: first of all if it keeps the given ones. */
 void
-tellVerdict(const MapVerdictReport& verdict, StageLog& log)
+tellVerdict(const EntropyRectificationReport& report, StageLog& log)
 {
+  const MapVerdictReport& verdict = *report.verdict;
   std::string reasons;
   for (const std::string& reason : verdict.reasons)
     reasons += (reasons.empty() ? "" : "; ") + reason;
   log.tell("verdict",
            std::string(nameIn(verdict_outcome_names, verdict.outcome)) + ": " +
                reasons);
+  const std::string option = "; --odometry-noise states what the odometry errs by";
+  if (report.outcome == RectificationOutcome::Undetermined &&
+      !report.refused_poses.empty())
+    log.lines.insert(log.lines.begin(),
+                     {"undetermined", "the given poses are kept: " + reasons + option});
   if (verdict.outcome == VerdictOutcome::Contradicted &&
       verdict.given == VerdictOutcome::Contradicted)
     log.contradiction =
         "the poses are contradicted, and so are those that were found instead: " +
-        reasons + "; --odometry-noise states what the odometry errs by";
+        reasons + option;
 }
 
 void
@@ -133,13 +140,15 @@ tellOutcome(const EntropyRectificationReport& report, StageLog& log)
 {
   log.tell(outcomeName(report.outcome), report.reason);
   if (report.verdict)
-    tellVerdict(*report.verdict, log);
+    tellVerdict(report, log);
   if (report.before.rays > 0)
     tellEvidence(report, log);
   log.tell("moved",
            "at most " + shortNumber(largestOf(report.moved)) + " m and " +
                shortNumber(degrees * largestOf(report.turned)) + " degrees");
-  if (report.expected_error)
+  const bool is_told =
+      report.verdict && report.verdict->outcome == VerdictOutcome::Consistent;
+  if (report.expected_error && !is_told)
     log.tell("error left",
              "at most " + shortNumber(*report.expected_error) +
                  " m (95 %), as neighbouring walls and the odometry tell");

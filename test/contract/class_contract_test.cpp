@@ -4,6 +4,7 @@
 #include "entropy_rectification_traits.h"
 #include "map_entropy_traits.h"
 #include "map_levelling_traits.h"
+#include "map_verdict_traits.h"
 #include "normal_vector_voting_traits.h"
 #include "plane_adjustment_traits.h"
 #include "plane_hypothesis_clustering_traits.h"
@@ -20,6 +21,7 @@ using PublicClasses = testing::Types<BoxFittingTraits,
                                      EntropyRectificationTraits,
                                      MapEntropyTraits,
                                      MapLevellingTraits,
+                                     MapVerdictTraits,
                                      NormalVectorVotingTraits,
                                      PlaneAdjustmentTraits,
                                      PlaneHypothesisClusteringTraits,

@@ -119,7 +119,7 @@ TEST(MapVerdict, measuresTheBiasOfTheOdometry)
     odometry.push_back(moved(odometry.back(), action));
   }
   const MapVerdictReport report = verdictOn(world, odometry, {});
-  const MeasuredOdometry::Component& turn = report.odometry.components[2];
+  const MeasuredOdometry::Component& turn = report.odometry.turn;
   EXPECT_GT(turn.steps, odometry.size() / 2);
   const OdometryNoise assumed;
   EXPECT_GT(turn.bias * assumed.turn, 0.4 * bias);

@@ -170,7 +170,7 @@ mendedOdometry(const MeasuredOdometry& measured,
                EntropyRectificationReport& report)
 {
   constexpr double usual = 2.5; // a factor that is within what the search permits
-  const auto& [across, ahead, turn] = measured.components;
+  const auto &across = measured.across, &ahead = measured.ahead, &turn = measured.turn;
   const auto factorOf = [](const MeasuredOdometry::Component& one) {
     return std::hypot(one.scale, one.bias);
   };

@@ -202,6 +202,7 @@ MapVerdictReport
 IndependentEstimate::judge(const std::vector<PlanarPose>& poses) const
 {
   MapVerdictReport report;
+  report.observations = given_.size();
   report.odometry = odometry_;
   report.revisits = revisits_.used;
   report.ambiguous_revisits = revisits_.ambiguous;
@@ -225,6 +226,11 @@ IndependentEstimate::judge(const std::vector<PlanarPose>& poses) const
   report.outcome =
       outcomeOf(report, more, report.e95 < 0.8 * lowerOf(given_errors) - 0.03);
   report.given = outcomeAlone(std::sqrt(largest_given), report.e95_given);
+  if (std::max(odometry_.across.steps, odometry_.ahead.steps) == 0) {
+    report.outcome = report.given = VerdictOutcome::Undetermined;
+    report.reasons.emplace_back(
+        "neighbouring observations see no surface in common: only the odometry tells");
+  }
   tellReasons(more, report);
   return report;
 }

@@ -2,6 +2,7 @@
 
 #include <pcl/mapping/impl/map_verdict_kernel.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace pcl::acmap {
@@ -23,6 +24,14 @@ judgeMap(const std::vector<LevelledPoints>& observations,
   else
     made =
         IndependentEstimate(observations, given, noise, seed, progress).judge(judged);
+  for (const LevelledPoints& seen : observations)
+    made.invalid_points += static_cast<std::size_t>(
+        std::count_if(seen.points.begin(), seen.points.end(), [](const auto& point) {
+          return !point.allFinite();
+        }));
+  if (made.outcome == VerdictOutcome::Undetermined)
+    report.remarks.insert(
+        report.remarks.end(), made.reasons.begin(), made.reasons.end());
   static_cast<Report&>(made) = std::move(report);
   report = std::move(made);
 }

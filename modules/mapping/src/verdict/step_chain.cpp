@@ -130,6 +130,13 @@ inflationOf(const std::vector<Skip>& skips)
              : std::clamp(2 * quantileOf(distances, 0.9) / chi_square_90, 1.0, 25.0);
 }
 
+template <typename Noise>
+auto&
+componentOf(Noise& noise, int axis)
+{
+  return axis == 0 ? noise.across : axis == 1 ? noise.ahead : noise.turn;
+}
+
 /** Bias and scale of the odometry in units of its assumed sigmas. */
 void
 measureNoise(const std::vector<Step>& steps, MeasuredOdometry& noise)
@@ -141,8 +148,7 @@ measureNoise(const std::vector<Step>& steps, MeasuredOdometry& noise)
       if (std::sqrt(step.covariance(axis, axis)) < observed[axis])
         errors.push_back(differenceOf(step.odometry, step.match.T_i_j)[axis] /
                          step.sigma[axis]);
-    MeasuredOdometry::Component& told =
-        noise.components[static_cast<std::size_t>(axis)];
+    MeasuredOdometry::Component& told = componentOf(noise, axis);
     told.steps = errors.size();
     if (errors.size() < min_measured)
       continue;
@@ -164,8 +170,7 @@ findSlips(std::vector<Step>& steps, MeasuredOdometry& noise)
       continue;
     const Eigen::Vector3d off = differenceOf(step.odometry, step.match.T_i_j);
     for (const int axis : {0, 1, 2}) {
-      const MeasuredOdometry::Component& told =
-          noise.components[static_cast<std::size_t>(axis)];
+      const MeasuredOdometry::Component& told = componentOf(noise, axis);
       const double sigma =
           std::hypot(1.5 * std::max(0.1, told.scale) * step.sigma[axis],
                      std::sqrt(step.covariance(axis, axis)));
@@ -188,8 +193,7 @@ unbiased(const Step& step, const MeasuredOdometry& noise, Eigen::Vector3d& varia
   const double length = std::hypot(step.odometry.x, step.odometry.z);
   Eigen::Vector3d bias;
   for (const int axis : {0, 1, 2}) {
-    const MeasuredOdometry::Component& told =
-        noise.components[static_cast<std::size_t>(axis)];
+    const MeasuredOdometry::Component& told = componentOf(noise, axis);
     bias[axis] = told.bias * step.sigma[axis];
     variances[axis] = std::pow(1.5 * std::max(0.1, told.scale) * step.sigma[axis], 2) +
                       std::pow(0.5 * bias[axis], 2);

@@ -18,6 +18,16 @@ struct PlanarPose {
   double theta = 0;    ///< radians
 };
 
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const PlanarPose& pose, Visitor&& visit)
+{
+  visit({"x", "m"}, pose.x);
+  visit({"z", "m"}, pose.z);
+  visit({"theta", "rad"}, pose.theta);
+}
+
 /** \brief A motion on the floor (the paper's action): the next pose of the robot in the
  * frame of its previous pose. \ingroup core */
 struct PlanarAction {

@@ -184,6 +184,7 @@ visitFields(const EntropyRectificationReport& report, Visitor&& visit)
   visit({"disagreement", "m"}, report.disagreement);
   visit({"expected_error", "m"}, report.expected_error);
   visit({"verdict"}, report.verdict);
+  visit({"refused_poses"}, report.refused_poses);
   visit({"before"}, report.before);
   visit({"after"}, report.after);
   visit({"moved", "m"}, report.moved);

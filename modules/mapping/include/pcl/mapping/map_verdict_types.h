@@ -35,7 +35,7 @@ struct MeasuredOdometry {
     double bias = 0;       ///< the same in each step
   };
 
-  std::array<Component, 3> components; ///< across (x), ahead (z), turn (theta)
+  Component across, ahead, turn; ///< x, z, theta
   std::size_t steps = 0;               ///< of the trajectory
   std::size_t slips = 0;               ///< steps in which the wheels slipped
 };
@@ -55,9 +55,9 @@ template <typename Visitor>
 void
 visitFields(const MeasuredOdometry& odometry, Visitor&& visit)
 {
-  visit({"across"}, odometry.components[0]);
-  visit({"ahead"}, odometry.components[1]);
-  visit({"turn"}, odometry.components[2]);
+  visit({"across"}, odometry.across);
+  visit({"ahead"}, odometry.ahead);
+  visit({"turn"}, odometry.turn);
   visit({"steps"}, odometry.steps);
   visit({"slips"}, odometry.slips);
 }
@@ -80,6 +80,8 @@ visitFields(const ContradictedWindow& window, Visitor&& visit)
 
 /** \brief Report of \ref MapVerdict. \ingroup mapping */
 struct MapVerdictReport : Report {
+  std::size_t observations = 0;
+  std::size_t invalid_points = 0; ///< that are not finite and were skipped
   VerdictOutcome outcome = VerdictOutcome::Undetermined;
   /** \brief That the error is larger than that of the given trajectory. */
   double probability_worse = 0.5;
@@ -102,6 +104,8 @@ template <typename Visitor>
 void
 visitFields(const MapVerdictReport& report, Visitor&& visit)
 {
+  visit({"observations"}, report.observations);
+  visit({"invalid_points"}, report.invalid_points);
   visit({"outcome"}, acmap::Named{report.outcome, acmap::verdict_outcome_names});
   visit({"probability_worse"}, report.probability_worse);
   visit({"probability_worse_without_revisits"},
