@@ -14,11 +14,35 @@ struct MapVerdictTraits
 : RegisteredCloudsTraits<MapVerdict, PointNormal, VerdictOutcome> {
   static constexpr const char* header = "mapping/include/pcl/mapping/map_verdict.h";
 
+  static bool
+  isOnLine(const Cloud& cloud)
+  {
+    constexpr float near = 1e-3F;
+    std::vector<Eigen::Vector3f> off;
+    for (const auto& point : cloud)
+      if (point.getVector3fMap().allFinite())
+        off.emplace_back(point.getVector3fMap());
+    for (std::size_t i = 1; i < off.size(); ++i)
+      off[i] -= off.front();
+    if (!off.empty())
+      off.front().setZero();
+    return std::all_of(off.begin(), off.end(), [&](const Eigen::Vector3f& one) {
+      return !(one.cross(off.back()).norm() > near);
+    });
+  }
+
   /** As many echoes from the walls of a square room; points that are not finite stay so. */
   static void
   setInput(Class& object, const Cloud& cloud)
   {
     constexpr double half = 3; // metres
+    if (isOnLine(cloud)) {
+      addTwice(object, cloud, [](PointNormal& point) {
+        if (point.getVector3fMap().allFinite())
+          point.y = 0;
+      });
+      return;
+    }
     std::size_t echo = 0;
     const double step = 2 * M_PI / static_cast<double>(2 * cloud.size() + 1);
     addTwice(object, cloud, [&](PointNormal& point) {
