@@ -7,6 +7,7 @@
 #include "compact_mapping/run_ranks.h"
 #include "drawn_apart.h"
 #include "output_target.h"
+#include "pose_options.h"
 
 #include <pcl/pipeline/ranked_work.h>
 
@@ -84,6 +85,7 @@ run(Tool& tool, const ChainOptions& options)
   std::optional<pcl::MapFigures> figures;
   if (truth)
     figures = compareMap(options, made.state(), told, *truth);
+  tellPoseReading(options.poses, made.state().report.pose_convention, tool.log());
   tellChain(options, input.start, made.stages(), figures, tool.log());
   saveReportPage(options.output + "/report.html", tool.fullReport(), options.output);
   if (made.missing())

@@ -1,5 +1,6 @@
 #include "command_line.h"
 #include "output_target.h"
+#include "pose_options.h"
 #include "rgbd_import/rgbd_options.h"
 #include "tool.h"
 
@@ -7,7 +8,9 @@
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/observation_writing.h>
+#include <pcl/pipeline/pose_convention_check.h>
 #include <pcl/pipeline/rgbd_observation.h>
 #include <pcl/pipeline/rgbd_sequence.h>
 
@@ -31,6 +34,7 @@ struct ImportOptions : RgbdOptions {
   std::string output;
   bool skip_broken = false;
   DepthSensor sensor = DepthSensor::Automatic;
+  PoseConventionCheck poses;
   std::size_t every = 1;
 };
 
@@ -83,6 +87,7 @@ addOptions(Tool& tool, ImportOptions& options)
       ->type_name("OBS_DIR")
       ->required();
   addNoPoses(app, options);
+  addPoseReading(app, options.poses);
   app.add_flag("--skip-broken",
                options.skip_broken,
                "Leave out frames with a missing or damaged file instead of giving up");
@@ -293,7 +298,6 @@ tellResults(const ImportOptions& options,
                  " observations");
   if (!import.broken.empty())
     log.tell("left out", std::to_string(import.broken.size()) + " broken frames");
-  log.tell("folder", options.output);
 }
 
 void
@@ -305,10 +309,54 @@ checkPlaces(const Tool& tool, const ImportOptions& options, const OutputFolder& 
   tool.requireReportWritable({});
 }
 
+/** \brief The frames whose pose can be read; those of others are told when it is their turn. */
+RgbdSequence
+posedFrames(const RgbdSequence& sequence)
+{
+  RgbdSequence posed = sequence;
+  posed.frames.clear();
+  for (RgbdFrame frame : sequence.frames)
+    try {
+      frame.T_world_camera = loadPose(frame);
+      posed.frames.push_back(std::move(frame));
+    }
+    catch (const InputFileException&) {
+      continue;
+    }
+  return posed;
+}
+
+/** \brief Checks recorded poses, and gives the frames those that they mean.
+ * \return nothing without poses */
+std::optional<PoseConventionReport>
+readPoses(const ImportOptions& options,
+          const RgbdCameras& cameras,
+          const RunControls& controls,
+          RgbdSequence& sequence)
+{
+  const RgbdSequence posed = posedFrames(sequence);
+  if (!sequence.has_poses || posed.frames.empty())
+    return {};
+  PoseConventionCheck check = options.poses;
+  check.setNumberOfThreads(controls.threads);
+  check.setProgressCallback(controls.progress);
+  check.compute(ObservationSequence(posed, cameras, controls.threads));
+  const PoseReading& stated = check.getReport().stated;
+  for (RgbdFrame& frame : sequence.frames)
+    try {
+      frame.T_world_camera = readPose(loadPose(frame), stated);
+    }
+    catch (const InputFileException&) {
+      continue; // told when it is its turn
+    }
+  return check.getReport();
+}
+
 void
 convert(const ImportOptions& options,
         const RgbdSequence& sequence,
         const RgbdCameras& cameras,
+        const std::optional<PoseConventionReport>& poses,
         OutputFolder& folder,
         const RunControls& controls,
         StageLog& log)
@@ -332,6 +380,8 @@ convert(const ImportOptions& options,
   warnOfLengths(import, log);
   warnOfFrames(import, log);
   tellResults(options, sequence, cameras, import, log);
+  tellPoseReading(options.poses, poses, log);
+  log.tell("folder", options.output);
 }
 
 } // namespace
@@ -349,12 +399,13 @@ main(int argc, char** argv)
   return tool.run(argc, argv, [&] {
     StageLog& log = tool.log();
     StepTimer timer(log.report);
-    const pcl::RgbdSequence sequence =
-        openRgbdSequence(options.input, settingsOf(options));
+    pcl::RgbdSequence sequence = openRgbdSequence(options.input, settingsOf(options));
     const pcl::RgbdCameras cameras = camerasOf(options, sequence, options.sensor);
     OutputFolder folder(options.output);
     checkPlaces(tool, options, folder);
     timer.finish("list");
-    convert(options, sequence, cameras, folder, tool.controls(), log);
+    const auto poses = readPoses(options, cameras, tool.controls(), sequence);
+    timer.finish("check poses");
+    convert(options, sequence, cameras, poses, folder, tool.controls(), log);
   });
 }

@@ -2,10 +2,12 @@
 
 #include "input_kind.h"
 #include "output_target.h"
+#include "pose_options.h"
 #include "reading_options.h"
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <functional>
 
 namespace pcl::acmap {
@@ -57,6 +59,7 @@ addSequenceOptions(Tool& tool, ChainOptions& options)
     addRgbdCameras(app, options.rgbd);
     addStampGap(app, options.rgbd);
   });
+  inGroup(tool, poses_group, [&] { addPoseReading(app, options.poses); });
   inGroup(tool, egomotion_group, [&] { addMotionChoices(app, options.egomotion); });
   app.get_option("--6dof")
       ->description(
@@ -196,6 +199,10 @@ requireSense(Tool& tool, const ChainOptions& options, StartingPoint start)
     refuseGroup(tool, bag_group, "is for bags, and " + what);
   if (kind != InputKind::RgbdFolder)
     refuseGroup(tool, rgbd_group, "is for RGB-D folders, and " + what);
+  std::error_code error;
+  if (kind == InputKind::Bag || start != StartingPoint::PosedObservations ||
+      !std::filesystem::is_directory(options.input, error))
+    refuseGroup(tool, poses_group, "is for folders with poses, and " + what);
   if (start == StartingPoint::PosedObservations || start == StartingPoint::Cloud)
     refuseGroup(
         tool, egomotion_group, "is for observations without poses, and " + what);

@@ -8,6 +8,7 @@
 #include "texturing/texture_stage.h"
 #include "visual_egomotion/egomotion_options.h"
 
+#include <pcl/pipeline/pose_convention_check.h>
 #include <pcl/pipeline/ranks.h>
 
 #include <memory>
@@ -37,6 +38,7 @@ struct ChainOptions {
   std::size_t max_points = 2000000000;
   StereoOptions stereo;
   RgbdOptions rgbd;
+  PoseConventionCheck poses; ///< of recorded poses
   EgomotionOptions egomotion;
   RectificationOptions rectification;
   PlaneOptions planes;
@@ -48,6 +50,7 @@ constexpr const char* stereo_group = "Stereo, for a raw session";
 constexpr const char* recording_group = "Bag of ROS, or RGB-D folder";
 constexpr const char* bag_group = "Bag of ROS";
 constexpr const char* rgbd_group = "RGB-D folder";
+constexpr const char* poses_group = "Recorded poses, of a folder";
 constexpr const char* egomotion_group = "Egomotion, for observations without poses";
 constexpr const char* motion_group = "Motion, for more than one observation";
 constexpr const char* rectification_group =

@@ -101,6 +101,7 @@ settingsOf(const ChainOptions& options, unsigned threads)
   ChainSettings settings;
   if (options.planes.paper)
     settings.mode = MappingMode::Paper;
+  settings.poses = options.poses;
   settings.odometry.setEgomotion(options.egomotion.stage);
   if (options.rectification.up)
     settings.levelling.setUpDirection(*options.rectification.up);
@@ -155,6 +156,9 @@ void
 MapRun::setInput(const MapInput& input)
 {
   const bool is_cloud = input.start == StartingPoint::Cloud;
+  const bool has_poses = input.start == StartingPoint::PosedObservations;
+  if (input.recorded)
+    chain_.setInput(*input.recorded, has_poses);
   if (is_cloud)
     chain_.setInputCloud([this] { return loadCloud(); },
                          stateOfFile(options_.input) + " " +
@@ -165,7 +169,7 @@ MapRun::setInput(const MapInput& input)
     chain_.setInput(ObservationSequence(options_.input,
                                         controls_.reader.getScale(),
                                         controls_.reader.getShift()),
-                    input.start == StartingPoint::PosedObservations);
+                    has_poses);
 }
 
 ChainStage
@@ -178,56 +182,58 @@ MapRun::observationStage(const MapInput& input)
   stage.take = [this, input, folder, is_session](
                    ChainState& state, const ChainSettings&, const StageStore&) {
     const double scale = is_session ? 1 : controls_.reader.getScale();
-    const bool is_shifted = input.recorded && !input.recorded->shift().isZero(0);
+    const Eigen::Vector3d shift =
+        input.recorded ? state.observations->shift() : Eigen::Vector3d::Zero().eval();
+    const bool is_shifted = !shift.isZero(0);
     state.observations.emplace(folder,
                                scale,
                                is_shifted ? std::optional<Eigen::Vector3d>()
                                           : controls_.reader.getShift());
     if (is_shifted)
-      state.observations =
-          state.observations->withShift(scale * input.recorded->shift());
+      state.observations = state.observations->withShift(scale * shift);
     state.has_poses = input.start == StartingPoint::PosedObservations ||
                       !options_.stereo.poses.empty();
   };
-  stage.key = [this, input, is_session](
-                  const ChainState&, const ChainSettings&, StageKey& key) {
-    key.add("input",
-            is_session ? stateOf(options_.input, filesIn(options_.input))
-                       : input.recorded->fingerprint());
-    key.add("options",
-            textOf(values_(is_session ? stereo_group : recording_group)) +
-                (is_session ? "" : textOf(values_(bag_group))));
-    key.add("scale", controls_.reader.getScale());
-    if (const auto& shift = controls_.reader.getShift())
-      key.add("shift", shiftText(*shift));
-    if (!options_.stereo.poses.empty())
-      key.add("poses", stateOfFile(options_.stereo.poses));
-  };
-  stage.run = [this, input, folder, is_session, take = stage.take](
-                  ChainState& state,
-                  const ChainSettings& settings,
-                  const StageRun& run,
-                  OpenStage& open) {
-    RunControls controls = controls_;
-    controls.progress = run.progress;
-    first_log_ = StageLog();
-    if (is_session) {
-      StereoOptions stereo = options_.stereo;
-      stereo.session = options_.input;
-      stereo.output = folder;
-      stereo.goes_on = true;
-      try {
-        makeObservations(stereo, controls, first_log_);
-      }
-      catch (const InterruptedPartway&) {
-        open.keepParts();
-        throw;
-      }
-    }
-    else
-      importRecording(options_.input, *input.recorded, folder, controls, first_log_);
-    take(state, settings, chain_.getStore());
-  };
+  stage.key =
+      [this, is_session](const ChainState& state, const ChainSettings&, StageKey& key) {
+        key.add("input",
+                is_session ? stateOf(options_.input, filesIn(options_.input))
+                           : state.observations->fingerprint());
+        key.add("options",
+                textOf(values_(is_session ? stereo_group : recording_group)) +
+                    (is_session ? "" : textOf(values_(bag_group))));
+        key.add("scale", controls_.reader.getScale());
+        if (const auto& shift = controls_.reader.getShift())
+          key.add("shift", shiftText(*shift));
+        if (!options_.stereo.poses.empty())
+          key.add("poses", stateOfFile(options_.stereo.poses));
+      };
+  stage.run =
+      [this, folder, is_session, take = stage.take](ChainState& state,
+                                                    const ChainSettings& settings,
+                                                    const StageRun& run,
+                                                    OpenStage& open) {
+        RunControls controls = controls_;
+        controls.progress = run.progress;
+        first_log_ = StageLog();
+        if (is_session) {
+          StereoOptions stereo = options_.stereo;
+          stereo.session = options_.input;
+          stereo.output = folder;
+          stereo.goes_on = true;
+          try {
+            makeObservations(stereo, controls, first_log_);
+          }
+          catch (const InterruptedPartway&) {
+            open.keepParts();
+            throw;
+          }
+        }
+        else
+          importRecording(
+              options_.input, *state.observations, folder, controls, first_log_);
+        take(state, settings, chain_.getStore());
+      };
   return stage;
 }
 

@@ -1,6 +1,7 @@
 #include "rectification_options.h"
 
 #include "input_kind.h"
+#include "pose_options.h"
 #include "reading_options.h"
 #include "setter_option.h"
 
@@ -68,6 +69,9 @@ addInputs(Tool& tool, RectificationOptions& options)
                "Write the observations too, each with its new pose, so that OUT_DIR "
                "goes into the next tool")
       ->excludes(log);
+  addPoseReading(app, options.poses);
+  for (const char* name : {"--pose-convention", "--pose-scale"})
+    app.get_option(name)->excludes(log);
   addScale(app, tool.reader());
   app.get_option("--scale")->excludes(log);
   addUp(app, tool.reader(), "; the map is turned until the nearest axis points there");
@@ -132,7 +136,8 @@ requireSense(Tool& tool, const RectificationOptions& options)
   if (!is_bag)
     refuse("--sensor-pose", std::string(" is for bags"));
   if (is_bag)
-    for (const char* option : {"--6dof", "--observations", "--scale"})
+    for (const char* option :
+         {"--6dof", "--observations", "--scale", "--pose-convention", "--pose-scale"})
       refuse(option, std::string(" is for a folder of observations"));
   const std::optional<double>& smoothing = options.stage.getSmoothing();
   if (!smoothing)

@@ -6,6 +6,7 @@
 #include <pcl/mapping/map_levelling_types.h>
 #include <pcl/pipeline/bag_settings.h>
 #include <pcl/pipeline/observation_sequence.h>
+#include <pcl/pipeline/pose_convention_check.h>
 #include <pcl/pipeline/sequence_consolidation.h>
 #include <pcl/point_types.h>
 
@@ -28,6 +29,7 @@ struct RectificationOptions {
   std::optional<double> laser_sweep; ///< of the log, radians; found if it is not set
   EntropyRectification<PointNormal> stage; ///< without observations
   std::optional<Eigen::Vector3d> up;       ///< of the input; found if it is not set
+  PoseConventionCheck poses;               ///< of the folder
   bool six_degrees = false;                ///< adjust by planes after the entropy
   bool write_observations = false;
   bool write_map = true;    ///< write map.pcd with all points

@@ -6,6 +6,7 @@
 #include "output_target.h"
 #include "plan_picture.h"
 #include "pose_adjustment.h"
+#include "pose_options.h"
 #include "stage_reports.h"
 
 #include <pcl/common/io.h>
@@ -394,6 +395,7 @@ rectifyPoses(const RectificationOptions& options,
   OutputFolder folder(options.output);
   requirePlace(options, folder);
   ChainSettings settings;
+  settings.poses = options.poses;
   settings.levelling = levellingOf(options);
   settings.rectification = options.stage;
   settings.rectifies_one = true;
@@ -421,6 +423,7 @@ rectifyPoses(const RectificationOptions& options,
   timer.finish("write");
   log.warn(report.remarks);
   const bool is_raw = options.stage.getMode() == RectificationMode::Paper;
+  tellPoseReading(options.poses, report.pose_convention, log);
   tellConsolidated(*report.consolidation, mapped.size(), is_raw, log);
   tellRectification(options, *report.levelling, *report.rectification, log);
   if (report.adjustment)

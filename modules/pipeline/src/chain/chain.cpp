@@ -89,15 +89,28 @@ Chain::begin()
   scratch_.reset();
   progress_before_ = 0;
   state_ = ChainState();
-  state_.observations = input_;
+  if (input_)
+    state_.observations = has_poses_ ? settings_.poses.read(*input_) : *input_;
   state_.has_poses = has_poses_;
   state_.stream = stream_;
   state_.earlier = earlier_;
   state_.noise = settings_.rectification.getOdometryNoise();
   state_.report.mode = settings_.mode;
   key_before_ = cloud_state_;
-  if (input_ && store_.isFolder())
-    key_before_ = input_->fingerprint();
+  if (input_ && !first_ && store_.isFolder())
+    key_before_ = state_.observations->fingerprint();
+}
+
+void
+Chain::checkPoses()
+{
+  if (!input_ || !has_poses_ || !input_->hasRecordedPoses())
+    return;
+  PoseConventionCheck check = settings_.poses;
+  check.setNumberOfThreads(threads_);
+  check.setProgressCallback(partOf(progress_, 0, 0));
+  check.compute(*input_);
+  state_.report.pose_convention = check.getReport();
 }
 
 bool
@@ -216,6 +229,7 @@ const ChainState&
 Chain::run(const std::string& last)
 {
   begin();
+  checkPoses();
   const std::vector<ChainStage> stages = allStages();
   std::vector<const ChainStage*> passing; // until a stage behind them must run
   bool has_run = false;

@@ -93,13 +93,12 @@ takeKittiPoses(const fs::path& place, const std::string& path, CloudFolder& clou
   const std::vector<std::size_t> rows =
       rowsOfPoses(path, clouds.paths, recorded.poses.size());
   const bool are_scans = endingOf(clouds.paths.front()) == kitti_ending;
-  Eigen::Isometry3d T_camera_cloud = Eigen::Isometry3d::Identity();
   if (are_scans) {
     const auto scanner = poseOfScanner(place);
     if (!scanner)
       clouds.remarks.push_back(path + ": no calib.txt has a row Tr: took the poses as "
                                       "those of the scanner");
-    T_camera_cloud =
+    clouds.T_recorded_cloud =
         scanner.value_or(Eigen::Isometry3d::Identity()) * cameraOfScanner();
   }
   const fs::path times = findEntry(place, {times_name});
@@ -114,7 +113,7 @@ takeKittiPoses(const fs::path& place, const std::string& path, CloudFolder& clou
       continue;
     posed.rows.push_back(posed.paths.size());
     posed.paths.push_back(clouds.paths[i]);
-    posed.trajectory.poses.push_back(*recorded.poses[row] * T_camera_cloud);
+    posed.trajectory.poses.push_back(*recorded.poses[row]);
     posed.trajectory.stamps.push_back(
         stamps.size() == recorded.poses.size() ? stamps[row]
         : recorded.numbers.empty()             ? static_cast<double>(row)
@@ -143,13 +142,6 @@ kittiPosesOf(const fs::path& place)
       (sequence.filename().string() + ".txt"); // poses/00.txt of sequences/00
   std::error_code error;
   return endingOf(set) == ".txt" && fs::is_regular_file(set, error) ? set : fs::path();
-}
-
-void
-turnScans(CloudFolder& clouds)
-{
-  for (Eigen::Isometry3d& pose : clouds.trajectory.poses)
-    pose = pose * cameraOfScanner();
 }
 
 /** \brief Reads a scan of KITTI: x y z intensity, float32, little-endian. */
@@ -212,7 +204,7 @@ openCloudFolder(const std::string& folder)
     clouds.trajectory = loadTrajectory(trajectory);
     clouds.rows = trajectoryRows(trajectory, names, clouds.trajectory.poses.size());
     if (endingOf(names.front()) == kitti_ending)
-      turnScans(clouds);
+      clouds.T_recorded_cloud = cameraOfScanner();
     if (!poses.empty())
       clouds.remarks.push_back(trajectory + " has the poses, not " + poses.string());
   }

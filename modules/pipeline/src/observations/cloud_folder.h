@@ -3,6 +3,8 @@
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/trajectory.h>
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -13,9 +15,11 @@ namespace pcl::acmap {
  * stands beside them. */
 struct CloudFolder {
   std::vector<std::string> paths;
-  Trajectory trajectory;         ///< without poses if they are not known
+  Trajectory trajectory;         ///< as recorded; without poses if they are not known
   std::vector<std::size_t> rows; ///< row in the trajectory, one per cloud
-  bool is_kitti = false;         ///< Are the poses those of KITTI's form?
+  /** \brief Frame of the clouds in that whose poses were recorded. */
+  Eigen::Isometry3d T_recorded_cloud = Eigen::Isometry3d::Identity();
+  bool is_kitti = false; ///< Are the poses those of KITTI's form?
   std::vector<std::string> remarks;
 };
 

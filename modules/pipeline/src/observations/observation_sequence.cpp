@@ -1,4 +1,5 @@
 #include "observations/cloud_folder.h"
+#include "observations/file_ending.h"
 #include "observations/observation_cache.h"
 #include "rgbd/rgbd_reader.h"
 
@@ -7,6 +8,7 @@
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/input_check.h>
 #include <pcl/core/impl/map_shift.h>
+#include <pcl/core/impl/pcd_viewpoint.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/rigid_motion.h>
@@ -70,6 +72,18 @@ requireObservation(const std::string& name,
   }
 }
 
+/** Moves the map to the frame of the first camera. */
+void
+startAtFirst(std::vector<Eigen::Isometry3d>& poses)
+{
+  if (poses.empty())
+    return;
+  const Eigen::Isometry3d T_first_world = poses.front().inverse();
+  poses.front().setIdentity();
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    poses[i] = T_first_world * poses[i];
+}
+
 void
 requirePoses(const Trajectory& trajectory)
 {
@@ -92,9 +106,15 @@ ObservationSequence::ObservationSequence(const std::string& folder,
   remarks_ = std::move(clouds.remarks);
   is_given_ = clouds.is_kitti; // and not compared with VIEWPOINTs
   readFiles();
-  for (Eigen::Isometry3d& pose : trajectory_.poses)
-    pose.translation() *= scale;
-  shiftPoses(shift);
+  recorded_ = trajectory_.poses;
+  has_recorded_poses_ = true;
+  T_recorded_cloud_ = clouds.T_recorded_cloud;
+  if (hasTrajectory() && !file_shift_.isZero(0))
+    T_recorded_cloud_ = T_recorded_cloud_ * Eigen::Translation3d(file_shift_);
+  reading_.scale = scale;
+  stated_shift_ = shift;
+  map_frame_ = MapFrame::Shifted;
+  placePoses();
 }
 
 ObservationSequence::ObservationSequence(std::vector<std::string> files, double scale)
@@ -104,8 +124,11 @@ ObservationSequence::ObservationSequence(std::vector<std::string> files, double 
   if (paths_.empty())
     throw acmap::BadArgument("a sequence of no files");
   source_ = paths_.front();
+  has_recorded_poses_ = true;
+  reading_.scale = scale;
+  map_frame_ = MapFrame::Shifted;
   readFiles();
-  shiftPoses({});
+  placePoses();
 }
 
 /** All files lose the same kilometres, those that the first readable one asks for. */
@@ -127,21 +150,46 @@ ObservationSequence::readFiles()
 /** A point p of a file is p - file_shift_ in the memory, and T p in the map is T p - shift_
  * there. */
 void
-ObservationSequence::shiftPoses(const std::optional<Eigen::Vector3d>& shift)
+ObservationSequence::placePoses()
+{
+  std::vector<Eigen::Isometry3d>& poses = trajectory_.poses;
+  poses.clear();
+  for (const Eigen::Isometry3d& recorded : recorded_)
+    poses.push_back(readPose(recorded, reading_));
+  if (map_frame_ == MapFrame::Shifted)
+    shiftPoses();
+  if (!T_recorded_cloud_.matrix().isIdentity(0))
+    for (Eigen::Isometry3d& pose : poses)
+      pose = pose * T_recorded_cloud_;
+  if (map_frame_ == MapFrame::FirstCamera)
+    startAtFirst(poses);
+}
+
+void
+ObservationSequence::shiftPoses()
 {
   std::vector<Eigen::Vector3d> places = {file_shift_};
   if (hasTrajectory())
     places.clear();
   for (const Eigen::Isometry3d& pose : trajectory_.poses)
-    places.emplace_back(pose * file_shift_);
-  shift_ = acmap::shiftOfPlaces(places, shift);
+    places.emplace_back(pose * T_recorded_cloud_.translation());
+  shift_ = acmap::shiftOfPlaces(places, stated_shift_);
   if (shift_.isZero(0) && file_shift_.isZero(0))
     return;
-  remarks_.push_back(source_ + ": its map has the coordinates of the files less " +
-                     acmap::shiftText(shift_) +
-                     ", so that they keep their millimetres");
+  shift_remark_ = source_ + ": its map has the coordinates of the files less " +
+                  acmap::shiftText(shift_) + ", so that they keep their millimetres";
   for (Eigen::Isometry3d& pose : trajectory_.poses)
-    pose = Eigen::Translation3d(-shift_) * pose * Eigen::Translation3d(file_shift_);
+    pose = Eigen::Translation3d(-shift_) * pose;
+}
+
+void
+ObservationSequence::takeAsRecorded()
+{
+  recorded_ = trajectory_.poses;
+  has_recorded_poses_ = true;
+  reading_ = PoseReading();
+  T_recorded_cloud_.setIdentity();
+  map_frame_ = MapFrame::Recorded;
 }
 
 ObservationSequence::ObservationSequence(
@@ -160,6 +208,7 @@ ObservationSequence::ObservationSequence(
                              clouds.size(),
                              " clouds");
   requirePoses(trajectory_);
+  takeAsRecorded();
   for (std::size_t i = 0; i < clouds.size(); ++i) {
     paths_.push_back(acmap::observationName(i));
     requireObservation(paths_.back(), clouds[i]);
@@ -178,16 +227,21 @@ ObservationSequence::ObservationSequence(const RgbdSequence& recorded,
 {
   if (recorded.frames.empty())
     throw acmap::BadArgument("a sequence of no frames");
-  trajectory_ = acmap::rgbdTrajectory(recorded, cameras);
+  trajectory_ = acmap::recordedTrajectory(recorded);
+  recorded_ = trajectory_.poses;
+  has_recorded_poses_ = true;
+  T_recorded_cloud_ = frameOfObservations(cameras);
+  map_frame_ = MapFrame::FirstCamera;
+  placePoses();
   for (std::size_t i = 0; i < recorded.frames.size(); ++i) {
     paths_.push_back(acmap::observationName(i));
     rows_.push_back(i);
   }
-  const auto reader =
-      std::make_shared<acmap::RgbdReader>(recorded, cameras, trajectory_, threads);
-  cache_ = std::make_shared<acmap::ObservationCache>([reader](const std::string& name) {
-    return std::make_shared<const PointCloudFile>(reader->read(name));
-  });
+  rgbd_ = std::make_shared<acmap::RgbdReader>(recorded, cameras, trajectory_, threads);
+  cache_ = std::make_shared<acmap::ObservationCache>(
+      [reader = rgbd_](const std::string& name) {
+        return std::make_shared<const PointCloudFile>(reader->read(name));
+      });
 }
 
 ObservationSequence::ObservationSequence(
@@ -240,6 +294,7 @@ ObservationSequence::withPoses(const std::vector<std::size_t>& places,
   posed.rows_.resize(places.size());
   std::iota(posed.rows_.begin(), posed.rows_.end(), std::size_t{0});
   posed.trajectory_ = std::move(trajectory);
+  posed.takeAsRecorded();
   posed.is_given_ = true;
   return posed;
 }
@@ -281,6 +336,8 @@ ObservationSequence::followedBy(const ObservationSequence& next) const
   };
   add(*this, 0);
   add(next, std::max(0.0, joined.trajectory_.stamps.back() + pause - next.stamp(0)));
+  joined.takeAsRecorded();
+  joined.rgbd_.reset();
   joined.rows_.resize(joined.size());
   std::iota(joined.rows_.begin(), joined.rows_.end(), std::size_t{0});
   joined.cache_ = std::make_shared<acmap::ObservationCache>(
@@ -302,6 +359,8 @@ ObservationSequence::put(std::size_t begin,
   parcel.put(*scale_);
   parcel.putAll(file_shift_.data(), 3);
   parcel.put(is_given_);
+  parcel.put(reading_.convention);
+  parcel.put(reading_.scale);
   parcel.put(hasTrajectory());
   parcel.put(end - begin);
   for (std::size_t i = begin; i < end; ++i) {
@@ -320,6 +379,8 @@ ObservationSequence::taken(acmap::ByteParcel& parcel)
   parcel.takeAll(sequence.file_shift_.data(), 3);
   sequence.cache_ = cacheOfFiles({*sequence.scale_, sequence.file_shift_, {}, false});
   sequence.is_given_ = parcel.take<bool>();
+  sequence.reading_.convention = parcel.take<PoseConvention>();
+  sequence.reading_.scale = parcel.take<double>();
   const bool has_trajectory = parcel.take<bool>();
   for (auto left = parcel.take<std::size_t>(); left > 0; --left) {
     sequence.rows_.push_back(sequence.paths_.size());
@@ -340,6 +401,8 @@ ObservationSequence::fingerprint() const
     hash.add(&*scale_, sizeof *scale_);
   if (!shift_.isZero(0))
     hash.add(shift_.data(), 3 * sizeof(double));
+  if (!hasTrajectory() && !isReadAsFiles())
+    hash.add(textOf(reading_));
   for (std::size_t i = 0; i < size(); ++i) {
     hash.add(paths_[i]);
     const double time = stamp(i);
@@ -398,7 +461,48 @@ Eigen::Isometry3d
 ObservationSequence::pose(std::size_t i) const
 {
   return hasTrajectory() ? trajectory_.poses[rows_[i]]
-                         : viewpointOf(*cache_->load(paths_[i]));
+                         : viewpoint(*cache_->load(paths_[i]));
+}
+
+bool
+ObservationSequence::isReadAsFiles() const
+{
+  return reading_.convention == PoseConvention::CameraToWorld &&
+         reading_.scale == scale_.value_or(1);
+}
+
+/** The pose that the VIEWPOINT of a file means. */
+Eigen::Isometry3d
+ObservationSequence::viewpoint(const PointCloudFile& file) const
+{
+  Eigen::Isometry3d pose = viewpointOf(file);
+  if (isReadAsFiles())
+    return pose;
+  pose.translation() /= scale_.value_or(1);
+  return readPose(pose, reading_);
+}
+
+Eigen::Isometry3d
+ObservationSequence::recordedPose(std::size_t i) const
+{
+  if (!recorded_.empty())
+    return recorded_[rows_[i]];
+  if (areFiles() && acmap::endingOf(paths_[i]) == ".pcd")
+    return acmap::loadPcdViewpoint(paths_[i]);
+  Eigen::Isometry3d pose = viewpointOf(*cache_->load(paths_[i]));
+  pose.translation() /= scale_.value_or(1);
+  return pose;
+}
+
+ObservationSequence
+ObservationSequence::withPosesRead(const PoseReading& reading) const
+{
+  ObservationSequence other = *this;
+  if (!has_recorded_poses_)
+    return other;
+  other.reading_ = reading;
+  other.placePoses();
+  return other;
 }
 
 PosedObservation
@@ -408,7 +512,7 @@ ObservationSequence::load(std::size_t i) const
   observation.file = cache_->load(paths_[i]);
   const Eigen::Isometry3d viewpoint = viewpointOf(*observation.file);
   if (!hasTrajectory()) {
-    observation.T_map_camera = viewpoint;
+    observation.T_map_camera = this->viewpoint(*observation.file);
     return observation;
   }
   observation.T_map_camera = trajectory_.poses[rows_[i]];
@@ -420,6 +524,13 @@ ObservationSequence::load(std::size_t i) const
                                   acmap::shortNumber(apart) + " m from its pose in " +
                                   acmap::trajectory_name + ", which holds");
   return observation;
+}
+
+std::shared_ptr<const PointCloudFile>
+ObservationSequence::loadMeasured(std::size_t i) const
+{
+  return rgbd_ ? std::make_shared<const PointCloudFile>(rgbd_->readMeasured(paths_[i]))
+               : cache_->load(paths_[i]);
 }
 
 std::string
@@ -435,6 +546,8 @@ std::vector<std::string>
 ObservationSequence::remarks() const
 {
   std::vector<std::string> remarks = remarks_;
+  if (!shift_remark_.empty())
+    remarks.push_back(shift_remark_);
   if (const std::size_t poses = trajectory_.poses.size(); poses > size())
     remarks.push_back((fs::path(source_) / acmap::trajectory_name).string() + ": has " +
                       std::to_string(poses) + " poses, the folder " +

@@ -327,12 +327,16 @@ loadRgbdObservation(const RgbdFrame& frame,
 }
 
 Eigen::Isometry3d
+frameOfObservations(const RgbdCameras& cameras)
+{
+  return cameras.color && !cameras.color->is_resampled ? cameras.color->T_depth_color
+                                                       : Eigen::Isometry3d::Identity();
+}
+
+Eigen::Isometry3d
 loadPose(const RgbdFrame& frame, const RgbdCameras& cameras)
 {
-  const Eigen::Isometry3d T_world_depth = loadPose(frame);
-  return cameras.color && !cameras.color->is_resampled
-             ? T_world_depth * cameras.color->T_depth_color
-             : T_world_depth;
+  return loadPose(frame) * frameOfObservations(cameras);
 }
 
 } // namespace pcl

@@ -1,31 +1,25 @@
 #include "rgbd/rgbd_reader.h"
 
+#include <pcl/conversions.h>
+#include <pcl/core/image_file.h>
 #include <pcl/pipeline/fingerprint.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/stage_store.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 
 #include <utility>
 
 namespace pcl::acmap {
 
 Trajectory
-rgbdTrajectory(const RgbdSequence& sequence, const RgbdCameras& cameras)
+recordedTrajectory(const RgbdSequence& sequence)
 {
   Trajectory trajectory;
-  for (const RgbdFrame& frame : sequence.frames)
-    trajectory.stamps.push_back(frame.stamp);
-  if (!sequence.has_poses)
-    return trajectory;
-  Eigen::Isometry3d T_first_world = Eigen::Isometry3d::Identity();
   for (const RgbdFrame& frame : sequence.frames) {
-    const Eigen::Isometry3d T_world_camera = loadPose(frame, cameras);
-    if (trajectory.poses.empty()) {
-      T_first_world = T_world_camera.inverse();
-      trajectory.poses.push_back(Eigen::Isometry3d::Identity());
-    }
-    else {
-      trajectory.poses.push_back(T_first_world * T_world_camera);
-    }
+    trajectory.stamps.push_back(frame.stamp);
+    if (sequence.has_poses)
+      trajectory.poses.push_back(loadPose(frame));
   }
   return trajectory;
 }
@@ -85,6 +79,25 @@ RgbdReader::read(const std::string& name)
   const Eigen::Quaterniond orientation(posed.T_map_camera.linear());
   file.sensor_origin = posed.T_map_camera.translation().cast<float>();
   file.sensor_orientation = orientation.cast<float>().normalized();
+  return file;
+}
+
+PointCloudFile
+RgbdReader::readMeasured(const std::string& name) const
+{
+  const GrayImage16 depth = loadGrayImage16(frames_.at(name).frame.depth);
+  const Eigen::Isometry3f T_observation_depth =
+      frameOfObservations(cameras_).inverse().cast<float>();
+  PointCloud<PointXYZ> points;
+  for (const Eigen::Vector3f& measured :
+       measuredPoints(depth, cameras_.depth, cameras_.meaning)) {
+    const Eigen::Vector3f point = T_observation_depth * measured;
+    points.push_back(PointXYZ(point.x(), point.y(), point.z()));
+  }
+  points.width = static_cast<std::uint32_t>(depth.width);
+  points.height = static_cast<std::uint32_t>(depth.height);
+  PointCloudFile file;
+  toPCLPointCloud2(points, file.cloud);
   return file;
 }
 

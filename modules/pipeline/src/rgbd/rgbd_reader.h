@@ -12,11 +12,11 @@
 
 namespace pcl::acmap {
 
-/** \brief Times and poses of the observations of an RGB-D sequence. The map is the
- * frame of the first observation's camera. There are no poses if the sequence has none.
+/** \brief Times and recorded poses of the depth camera of an RGB-D sequence. There are no poses
+ * if the sequence has none.
  * \throws InputFileException as \ref pcl::loadPose */
 Trajectory
-rgbdTrajectory(const RgbdSequence& sequence, const RgbdCameras& cameras);
+recordedTrajectory(const RgbdSequence& sequence);
 
 /** \brief Changes with the names, sizes and times of the images, and with the cameras. */
 std::string
@@ -26,7 +26,7 @@ stateOfRgbd(const RgbdSequence& sequence, const RgbdCameras& cameras);
  * observations. Thread-safe. */
 class RgbdReader {
 public:
-  /** \param[in] trajectory of \ref rgbdTrajectory
+  /** \param[in] trajectory poses of the observations in the map; may be empty
    * \param[in] threads 0 for all */
   RgbdReader(const RgbdSequence& sequence,
              RgbdCameras cameras,
@@ -39,6 +39,12 @@ public:
    * the sizes of the first one that was read */
   PointCloudFile
   read(const std::string& name);
+
+  /** \brief Reads the depths of a frame alone, as points of the observation's frame, organized as
+   * the depth image.
+   * \throws InputFileException if the depth image is missing or malformed */
+  PointCloudFile
+  readMeasured(const std::string& name) const;
 
 private:
   struct PosedFrame {

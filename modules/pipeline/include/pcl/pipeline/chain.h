@@ -14,6 +14,7 @@
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/plane_mapping.h>
+#include <pcl/pipeline/pose_convention_check.h>
 #include <pcl/pipeline/ranked_work.h>
 #include <pcl/pipeline/ranks.h>
 #include <pcl/pipeline/sequence_consolidation.h>
@@ -40,6 +41,7 @@ class ObservationStream;
  * the chain. \ingroup pipeline */
 struct ChainSettings {
   MappingMode mode = MappingMode::Accurate;
+  PoseConventionCheck poses; ///< of recorded poses
   VisualOdometry odometry;
   MapLevelling<PointNormal> levelling;
   EntropyRectification<PointNormal> rectification;
@@ -175,8 +177,8 @@ public:
   void
   setInputCloud(CloudLoader load, const std::string& state);
 
-  /** \brief Sets a stage that makes the observations, before all others. It sets
-   * ChainState::observations and has_poses. */
+  /** \brief Sets a stage that makes the observations, before all others, of those of \ref setInput if
+   * there are some. It sets ChainState::observations and has_poses. */
   void
   setFirstStage(ChainStage stage);
 
@@ -243,6 +245,7 @@ public:
    * \param[in] last of them; empty: all
    * \throws EmptyInputException if no observation could be joined to another one, or no
    * place of an earlier map was seen again
+   * \throws InputFileException if the views contradict recorded poses
    * \throws what the stages throw; OutputFileException if the store cannot be written
    * \throws CancelledException if the progress callback stopped it; finished stages stay */
   const ChainState&
@@ -278,6 +281,10 @@ public:
 private:
   void
   begin();
+
+  /** \brief Compares recorded poses with the views. */
+  void
+  checkPoses();
 
   bool
   applies(const ChainStage& stage) const;

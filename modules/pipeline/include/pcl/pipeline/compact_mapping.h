@@ -327,6 +327,20 @@ public:
     return projection_;
   }
 
+  /** \brief Sets how recorded poses are read (default: camera to world, metres); \ref compute
+   * throws InputFileException if the views contradict it. */
+  void
+  setPoseConventionCheck(const PoseConventionCheck& check)
+  {
+    settings_.poses = check;
+  }
+
+  const PoseConventionCheck&
+  getPoseConventionCheck() const
+  {
+    return settings_.poses;
+  }
+
   void
   setVisualOdometry(const VisualOdometry& odometry)
   {

@@ -10,6 +10,7 @@
 #include <pcl/mapping/plane_adjustment_types.h>
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping_types.h>
+#include <pcl/pipeline/pose_convention_check.h>
 #include <pcl/pipeline/sequence_alignment.h>
 #include <pcl/pipeline/sequence_consolidation.h>
 #include <pcl/pipeline/visual_odometry.h>
@@ -61,8 +62,9 @@ using MappingStateCallback = std::function<void(const MappingState&)>;
  * \ingroup pipeline */
 struct CompactMappingReport : Report {
   MappingMode mode = MappingMode::Accurate; ///< as \ref CompactMapping::setMode set it
-  std::optional<VisualOdometryResult> odometry;     ///< if the poses were unknown
-  std::optional<SequenceAlignmentReport> extension; ///< of an earlier map
+  std::optional<PoseConventionReport> pose_convention; ///< if poses were recorded
+  std::optional<VisualOdometryResult> odometry;        ///< if the poses were unknown
+  std::optional<SequenceAlignmentReport> extension;    ///< of an earlier map
   std::optional<SequenceConsolidationReport> consolidation;
   std::optional<MapLevellingReport> levelling;
   std::optional<EntropyRectificationReport> rectification;
@@ -82,6 +84,7 @@ void
 visitFields(const CompactMappingReport& report, Visitor&& visit)
 {
   visit({"mode"}, acmap::Named{report.mode, acmap::mapping_mode_names});
+  visit({"pose_convention"}, report.pose_convention);
   visit({"odometry"}, report.odometry);
   visit({"extension"}, report.extension);
   visit({"consolidation"}, report.consolidation);

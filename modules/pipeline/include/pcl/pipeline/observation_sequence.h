@@ -3,6 +3,7 @@
 #include <pcl/core/export.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/trajectory.h>
+#include <pcl/pipeline/pose_convention.h>
 
 #include <Eigen/Geometry>
 
@@ -21,6 +22,7 @@ struct RgbdSequence;
 namespace acmap {
 class ByteParcel;
 class ObservationCache;
+class RgbdReader;
 
 /** \brief Remarks of one kind, not none, as one line: poses that were rectified differ from
  * all VIEWPOINTs. */
@@ -120,6 +122,11 @@ public:
   ObservationSequence
   withShift(const Eigen::Vector3d& shift) const;
 
+  /** \brief The same observations with their recorded poses read in another way; those of a
+   * format that defines them stay (\ref hasRecordedPoses). */
+  ObservationSequence
+  withPosesRead(const PoseReading& reading) const;
+
   /** \brief The observations of this sequence, then those of another one, with the shift of this one.
    *
    * Poses are those of their sequences, and so are times, but those of the other one are
@@ -138,6 +145,13 @@ public:
   size() const
   {
     return paths_.size();
+  }
+
+  /** \brief Folder, file or first file that was opened, for messages. */
+  const std::string&
+  source() const
+  {
+    return source_;
   }
 
   /** \brief Folder of the first observation. */
@@ -182,11 +196,45 @@ public:
   Eigen::Isometry3d
   pose(std::size_t i) const;
 
+  /** \brief Are there poses of a text file, of VIEWPOINTs, or of a program, whose convention no
+   * format defines? */
+  bool
+  hasRecordedPoses() const
+  {
+    return has_recorded_poses_;
+  }
+
+  /** \brief How the recorded poses are read. */
+  const PoseReading&
+  poseReading() const
+  {
+    return reading_;
+  }
+
+  /** \brief The pose of an observation as it was recorded, in its own convention and unit. It
+   * is read as \ref pose is, or from the header of a PCD. */
+  Eigen::Isometry3d
+  recordedPose(std::size_t i) const;
+
+  /** \brief Frame of the observations in that whose poses were recorded: in the axes of acmap's
+   * camera, metres. */
+  const Eigen::Isometry3d&
+  frameInRecorded() const
+  {
+    return T_recorded_cloud_;
+  }
+
   /** \brief Reads an observation, unless it is in memory.
    * \throws InputFileException as pcl::loadPointCloud, for a frame of an RGB-D folder as
    * \ref loadRgbdObservation */
   PosedObservation
   load(std::size_t i) const;
+
+  /** \brief Reads the points of an observation as they were measured: those of an RGB-D folder
+   * without colours and without removing the steps of their depths, which is faster.
+   * \throws what \ref load does */
+  std::shared_ptr<const PointCloudFile>
+  loadMeasured(std::size_t i) const;
 
   /** \brief What was subtracted from coordinates of the input, CompactMap::shift: that of
    * the \ref ObservationSource, or of the files and their poses. */
@@ -236,18 +284,48 @@ public:
   getNumberOfReads() const;
 
 private:
+  /** \brief What the map's frame is. */
+  enum class MapFrame {
+    Recorded,    ///< that of the recorded poses
+    FirstCamera, ///< of the first observation
+    Shifted      ///< that of the recorded poses, less the shift
+  };
+
   ObservationSequence() = default;
 
   void
   readFiles();
 
+  /** \brief Sets the poses to what those of \ref recorded_ mean. */
   void
-  shiftPoses(const std::optional<Eigen::Vector3d>& shift);
+  placePoses();
+
+  void
+  shiftPoses();
+
+  /** \brief Makes the poses those that were recorded. */
+  void
+  takeAsRecorded();
+
+  /** \brief Are the poses of files, VIEWPOINTs, those that they state? */
+  bool
+  isReadAsFiles() const;
+
+  Eigen::Isometry3d
+  viewpoint(const PointCloudFile& file) const;
 
   std::string source_; ///< folder, or first file, for messages
   std::vector<std::string> paths_;
   std::vector<std::size_t> rows_; ///< row in the trajectory, one per observation
   Trajectory trajectory_;
+  /** \brief Poses as they were recorded, one per row; empty: none, or those of files. */
+  std::vector<Eigen::Isometry3d> recorded_;
+  bool has_recorded_poses_ = false;
+  PoseReading reading_;
+  Eigen::Isometry3d T_recorded_cloud_ = Eigen::Isometry3d::Identity();
+  MapFrame map_frame_ = MapFrame::Recorded;
+  std::optional<Eigen::Vector3d> stated_shift_;
+  std::string shift_remark_;    ///< empty: nothing was shifted
   bool is_given_ = false;       ///< Were the poses given by the caller?
   std::optional<double> scale_; ///< metres in a unit of the files, if they are files
   std::string source_state_;    ///< ObservationSource::fingerprint; may be empty
@@ -255,6 +333,7 @@ private:
   Eigen::Vector3d file_shift_ = Eigen::Vector3d::Zero(); ///< of the files themselves
   std::vector<std::string> remarks_;                     ///< of the file
   std::shared_ptr<acmap::ObservationCache> cache_;
+  std::shared_ptr<acmap::RgbdReader> rgbd_; ///< of an RGB-D folder; else null
 };
 
 } // namespace pcl

@@ -122,6 +122,11 @@ loadRgbdObservation(const RgbdFrame& frame,
                     const RgbdImageSizes& sizes = {},
                     unsigned threads = 0);
 
+/** \brief Frame of the observations in that of the depth camera: the colour camera's, or the
+ * identity. \ingroup pipeline */
+ACMAP_EXPORT Eigen::Isometry3d
+frameOfObservations(const RgbdCameras& cameras);
+
 /** \brief Pose of the camera whose frame the observation has, T_world_camera.
  * \throws InputFileException as \ref loadPose(const RgbdFrame&) \ingroup pipeline */
 ACMAP_EXPORT Eigen::Isometry3d

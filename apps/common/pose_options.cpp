@@ -1,0 +1,56 @@
+#include "pose_options.h"
+
+#include "fields_json.h"
+#include "setter_option.h"
+
+#include <CLI/CLI.hpp>
+
+namespace pcl::acmap {
+
+void
+addPoseReading(CLI::App& app, PoseConventionCheck& check)
+{
+  std::map<std::string, PoseConvention> choices;
+  for (std::size_t i = 0; i < pose_convention_names.size(); ++i)
+    choices[pose_convention_names[i]] = static_cast<PoseConvention>(i);
+  addSetter<std::string>(
+      app,
+      "--pose-convention",
+      [&check, choices](const std::string& name) {
+        const auto found = choices.find(name);
+        if (found == choices.end())
+          throw BadArgument(name +
+                            " is none of camera-to-world, world-to-camera, opengl, "
+                            "opengl-world-to-camera, transposed-rotation");
+        check.setConvention(found->second);
+      },
+      "What recorded poses are: camera-to-world, world-to-camera, opengl "
+      "(camera-to-world, "
+      "whose camera looks along -z with y up), opengl-world-to-camera, or "
+      "transposed-rotation [default: camera-to-world; views that contradict it end the "
+      "run]",
+      "NAME");
+  addSetter<double>(
+      app,
+      "--pose-scale",
+      [&check](double scale) { check.setScale(scale); },
+      "Metres in a unit of recorded poses: 0.001 for millimetres [default: that of the "
+      "points]",
+      "M");
+}
+
+void
+tellPoseReading(const PoseConventionCheck& check,
+                const std::optional<PoseConventionReport>& report,
+                StageLog& log)
+{
+  if (!report)
+    return;
+  log.details["pose_convention"] = fieldsOf(*report);
+  const bool is_stated = check.getConvention() && check.getScale();
+  log.tell("recorded poses",
+           textOf(*report) +
+               (is_stated ? "" : "; --pose-convention, --pose-scale state another"));
+}
+
+} // namespace pcl::acmap
