@@ -86,6 +86,9 @@ run(Tool& tool, const ChainOptions& options)
   if (truth)
     figures = compareMap(options, made.state(), told, *truth);
   tellPoseReading(options.poses, made.state().report.pose_convention, tool.log());
+  if (const auto& path = made.state().report.path;
+      path && input.start == StartingPoint::PosedObservations)
+    tellPath(*path, tool.log());
   tellChain(options, input.start, made.stages(), figures, tool.log());
   saveReportPage(options.output + "/report.html", tool.fullReport(), options.output);
   if (made.missing())

@@ -53,4 +53,13 @@ tellPoseReading(const PoseConventionCheck& check,
                (is_stated ? "" : "; --pose-convention, --pose-scale state another"));
 }
 
+void
+tellPath(const CameraPathReport& report, StageLog& log)
+{
+  log.details["path"] = fieldsOf(report);
+  log.tell("path",
+           textOf(report) + (report.is_in_space ? "; --no-6dof states a planar one"
+                                                : "; --6dof states one in space"));
+}
+
 } // namespace pcl::acmap

@@ -2,6 +2,7 @@
 
 #include "stage_log.h"
 
+#include <pcl/pipeline/camera_path.h>
 #include <pcl/pipeline/pose_convention_check.h>
 
 #include <optional>
@@ -22,5 +23,9 @@ void
 tellPoseReading(const PoseConventionCheck& check,
                 const std::optional<PoseConventionReport>& report,
                 StageLog& log);
+
+/** \brief Tells what the path of the camera is, in a line and in the detail `path`. */
+void
+tellPath(const CameraPathReport& report, StageLog& log);
 
 } // namespace pcl::acmap

@@ -65,8 +65,11 @@ addSequenceOptions(Tool& tool, ChainOptions& options)
       ->description(
           "The camera moves freely, as in a hand: poses are estimated in six "
           "degrees of freedom, and then adjusted so that planes which several "
-          "observations see become thin; else it moves level, as on a robot")
+          "observations see become thin [default: found from the poses, or from the "
+          "first "
+          "motions]")
       ->group(motion_group);
+  app.get_option("--no-6dof")->group(motion_group);
   inGroup(tool, motion_group, [&] {
     app.add_option(
            "--extend",

@@ -5,6 +5,7 @@
 #include "live_window.h"
 #include "map_run.h"
 #include "memory.h"
+#include "pose_options.h"
 
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_list.h>
@@ -34,6 +35,8 @@ tellSteps(const CompactMappingReport& report, StageLog& log)
   log.warn(report.remarks);
   for (const auto& [step, seconds] : report.seconds)
     log.report.seconds.emplace_back(step, seconds);
+  if (report.path)
+    tellPath(*report.path, log);
   if (report.odometry)
     log.tell("posed",
              std::to_string(report.odometry->posed()) + " of " +

@@ -108,6 +108,7 @@ settingsOf(const ChainOptions& options, unsigned threads)
   settings.rectification = options.rectification.stage;
   settings.rectify = options.rectifies;
   settings.adjust = options.egomotion.isRigid();
+  settings.measure_path = options.egomotion.measures_path && !options.planes.paper;
   settings.skip_broken = options.texture.skip_broken;
   settings.merging = mergingOf(options, threads);
   settings.planes = mappingOf(options.planes, threads);
@@ -453,8 +454,6 @@ MapRun::run(const MapInput& input)
     log_.warn(first_log_.report.remarks);
     log_.warn(map_log_.report.remarks);
     log_.warn(chain_.state().stage.remarks);
-    if (chain_.state().report.odometry)
-      warnOfFreeMotion(chain_.state().report.odometry->free, log_);
     throw;
   }
   for (const DoneStage& done : chain_.done())

@@ -136,8 +136,12 @@ requireSense(Tool& tool, const RectificationOptions& options)
   if (!is_bag)
     refuse("--sensor-pose", std::string(" is for bags"));
   if (is_bag)
-    for (const char* option :
-         {"--6dof", "--observations", "--scale", "--pose-convention", "--pose-scale"})
+    for (const char* option : {"--6dof",
+                               "--no-6dof",
+                               "--observations",
+                               "--scale",
+                               "--pose-convention",
+                               "--pose-scale"})
       refuse(option, std::string(" is for a folder of observations"));
   const std::optional<double>& smoothing = options.stage.getSmoothing();
   if (!smoothing)
@@ -154,12 +158,22 @@ addOptions(Tool& tool, RectificationOptions& options)
 {
   addInputs(tool, options);
   addRectificationChoices(tool, options);
+  CLI::Option* const free = tool.options().add_flag_callback(
+      "--6dof",
+      [&options] {
+        options.six_degrees = true;
+        options.measures_path = false;
+      },
+      "Then adjust all poses in six degrees of freedom, so that planes which several "
+      "observations see become thin [default: if the poses tilt, as those of a hand]");
+  free->excludes("--carmen");
   tool.options()
-      .add_flag("--6dof",
-                options.six_degrees,
-                "Then adjust all poses in six degrees of freedom, so that planes which "
-                "several observations see become thin")
-      ->excludes("--carmen");
+      .add_flag_callback(
+          "--no-6dof",
+          [&options] { options.measures_path = false; },
+          "Do not: the poses are those of a robot on a floor")
+      ->excludes("--carmen")
+      ->excludes(free);
   addSetter<double>(
       tool.options(),
       "--smoothing",

@@ -30,6 +30,7 @@ struct RectificationOptions {
   EntropyRectification<PointNormal> stage; ///< without observations
   std::optional<Eigen::Vector3d> up;       ///< of the input; found if it is not set
   PoseConventionCheck poses;               ///< of the folder
+  bool measures_path = true;               ///< unless the user states what it is
   bool six_degrees = false;                ///< adjust by planes after the entropy
   bool write_observations = false;
   bool write_map = true;    ///< write map.pcd with all points

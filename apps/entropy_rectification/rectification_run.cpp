@@ -400,6 +400,8 @@ rectifyPoses(const RectificationOptions& options,
   settings.rectification = options.stage;
   settings.rectifies_one = true;
   settings.adjust = options.six_degrees;
+  settings.measure_path =
+      options.measures_path && options.stage.getMode() != RectificationMode::Paper;
   settings.skip_broken = options.skip_broken;
   Chain chain(std::move(settings));
   chain.setInput(posed, true);
@@ -424,6 +426,8 @@ rectifyPoses(const RectificationOptions& options,
   log.warn(report.remarks);
   const bool is_raw = options.stage.getMode() == RectificationMode::Paper;
   tellPoseReading(options.poses, report.pose_convention, log);
+  if (report.path)
+    tellPath(*report.path, log);
   tellConsolidated(*report.consolidation, mapped.size(), is_raw, log);
   tellRectification(options, *report.levelling, *report.rectification, log);
   if (report.adjustment)

@@ -33,11 +33,18 @@ addMotionChoices(CLI::App& app, EgomotionOptions& options)
 {
   using Egomotion = VisualOdometry::Egomotion;
   Egomotion& stage = options.stage;
-  app.add_flag_callback(
+  CLI::Option* const free = app.add_flag_callback(
       "--6dof",
-      [&stage] { stage.setMotionModel(MotionModel::Rigid); },
-      "The camera moves freely, as in a hand; else level, as on a robot: in its "
-      "xz plane and about its y axis");
+      [&options] {
+        options.stage.setMotionModel(MotionModel::Rigid);
+        options.measures_path = false;
+      },
+      "The camera moves freely, as in a hand [default: found from the first motions]");
+  app.add_flag_callback(
+         "--no-6dof",
+         [&options] { options.measures_path = false; },
+         "It moves level, as on a robot: in its xz plane and about its y axis")
+      ->excludes(free);
   addSetter(app,
             "--max-translation",
             stage,

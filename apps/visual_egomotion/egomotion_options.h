@@ -15,11 +15,12 @@ struct EgomotionOptions {
   std::vector<std::string> inputs; ///< one folder, or PCDs in their order
   std::string output;
   VisualOdometry::Egomotion stage;
+  bool measures_path = true;       ///< unless the user states what it is
   bool writes_observations = true; ///< write copies of the input with poses
   bool pictures = false;
   std::string truth; ///< trajectory to compare with; empty: none
 
-  /** \brief Does the camera move in six degrees of freedom instead of three? */
+  /** \brief Is it stated that the camera moves in six degrees of freedom instead of three? */
   bool
   isRigid() const
   {
@@ -44,10 +45,6 @@ addMotionChoices(CLI::App& app, EgomotionOptions& options);
  * \throws InputFileException if it is no folder, or holds no PCD file */
 ObservationSequence
 observationsOf(const EgomotionOptions& options, double scale);
-
-/** \brief Warns if the motion model was planar, but the camera left the floor. */
-void
-warnOfFreeMotion(const FreeMotion& free, StageLog& log);
 
 /** \brief Reports the motions of a sequence: warnings, summary and details.
  * \param[in] plan path of a picture of the trajectory */

@@ -3,6 +3,7 @@
 #include "egomotion_pictures.h"
 #include "fields_json.h"
 #include "output_target.h"
+#include "pose_options.h"
 
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/quantile.h>
@@ -353,9 +354,10 @@ detailsOf(const EgomotionOptions& options,
     else
       lost.push_back({{"observation", list.sequence.path(i)},
                       {"reason", run.reasonOf(i, list.names)}});
+  const bool is_rigid = run.model == MotionModel::Rigid;
   std::size_t fits = 0;
   for (const OdometryPair& pair : run.pairs) {
-    pairs.push_back(jsonOf(pair, list, options.isRigid()));
+    pairs.push_back(jsonOf(pair, list, is_rigid));
     fits += pair.report.fits;
   }
   const VisualOdometry::Egomotion& stage = options.stage;
@@ -363,7 +365,7 @@ detailsOf(const EgomotionOptions& options,
                   {"output", options.output},
                   {"mode", stage.getPaperMode() ? "paper" : "accurate"},
                   {"fits", fits},
-                  {"model", options.isRigid() ? "rigid" : "planar"},
+                  {"model", nameIn(motion_model_names, run.model)},
                   {"max_translation", stage.getMaximumTranslation()},
                   {"max_rotation", stage.getMaximumRotation()},
                   {"keypoints", stage.getMaximumKeypoints()},
@@ -426,6 +428,7 @@ run(const EgomotionOptions& options,
 {
   VisualOdometry odometry;
   odometry.setEgomotion(options.stage);
+  odometry.setMeasureMotion(options.measures_path);
   odometry.setNumberOfThreads(controls.threads);
   odometry.setProgressCallback(controls.progress);
   if (options.pictures)
@@ -452,26 +455,14 @@ tellAll(const EgomotionOptions& options,
         const std::optional<TruthComparison>& comparison,
         StageLog& log)
 {
-  warnOfFreeMotion(found.free, log);
   warnOfGaps(list, found, log);
+  if (options.measures_path && !options.stage.getPaperMode())
+    tellPath(found.path(), log);
   tellRun(found, length, comparison, log);
-  log.details = detailsOf(options, list, found, length, comparison);
+  log.details.update(detailsOf(options, list, found, length, comparison));
 }
 
 } // namespace
-
-void
-warnOfFreeMotion(const FreeMotion& free, StageLog& log)
-{
-  if (2 * free.free <= free.pairs)
-    return;
-  log.warn("the camera does not move level: from one observation to the next it tilts "
-           "by " +
-           shortNumber(degrees * free.tilt) + " degrees and rises or sinks by " +
-           shortNumber(1000 * free.rise) + " mm (medians of " +
-           std::to_string(free.pairs) + (free.pairs == 1 ? " pair" : " pairs") +
-           "), which motions on a floor cannot follow: run again with --6dof");
-}
 
 void
 tellOdometry(const EgomotionOptions& options,
@@ -507,13 +498,12 @@ estimatePoses(const EgomotionOptions& options,
   timer.finish("list");
 
   const VisualOdometryResult found = run(options, list, folder, controls, log);
-  warnOfFreeMotion(found.free, log);
   requireMotion(list, found, log);
   timer.finish("estimate");
 
   std::optional<TruthComparison> comparison;
   if (!truth.empty())
-    comparison = compare(truth, found, options.isRigid());
+    comparison = compare(truth, found, found.model == MotionModel::Rigid);
   const Trajectory trajectory = found.estimated(list.stamps).trajectory;
   saveTrajectory(folder.path(trajectory_name), trajectory);
   savePng(folder.path("plan.png"),

@@ -125,7 +125,7 @@ TEST(EgomotionTool, ObservationsAreAsTheyWereButForThePose)
 }
 
 /** The camera tilts up, as a hand-held one may; a robot on a floor cannot. */
-TEST(EgomotionTool, ACameraThatLeavesTheFloorIsToldOfWithWhatToDo)
+TEST(EgomotionTool, ACameraThatLeavesTheFloorIsFollowed)
 {
   const TemporaryFolder folder;
   const std::string session = copyOfHall(folder.path("session"));
@@ -135,15 +135,33 @@ TEST(EgomotionTool, ACameraThatLeavesTheFloorIsToldOfWithWhatToDo)
       const float angle = step * static_cast<float>(i);
       turn(cloud, Eigen::AngleAxisf(angle, Eigen::Vector3f::UnitX()));
     });
-  const ToolRun run = runEgomotion({session, "-o", folder.path("floor")});
-  EXPECT_THAT(run.err, HasSubstr("does not move level"));
-  EXPECT_THAT(run.err, HasSubstr("run again with --6dof"));
-  EXPECT_THAT(run.err, HasSubstr("tilts by 2.8")) << "of 0.05 radians";
+  const ToolRun run = runEgomotion({session, "-o", folder.path("found")});
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, HasSubstr("path:        in space, 0.89 (tilts by 2.8"))
+      << "of 0.05 radians";
+  EXPECT_THAT(run.out, HasSubstr("; --no-6dof states a planar one"));
+  EXPECT_THAT(run.out, HasSubstr("posed:       6 of 6 observations"));
+  EXPECT_EQ(reportOf(folder.path("found")).at("path").at("is_in_space"), true);
 
-  const ToolRun free = runEgomotion({session, "-o", folder.path("free"), "--6dof"});
-  EXPECT_EQ(free.exit_code, 0);
-  EXPECT_EQ(free.err, "");
-  EXPECT_THAT(free.out, HasSubstr("posed:       6 of 6 observations"));
+  runEgomotion({session, "-o", folder.path("free"), "--6dof"}).succeeded();
+  EXPECT_EQ(contentOf(folder.path("found/trajectory.txt")),
+            contentOf(folder.path("free/trajectory.txt")));
+
+  const ToolRun planar =
+      runEgomotion({session, "-o", folder.path("planar"), "--no-6dof"});
+  EXPECT_THAT(planar.out, Not(HasSubstr("path:")));
+}
+
+TEST(EgomotionTool, ARobotStaysOnTheFloor)
+{
+  const TemporaryFolder folder;
+  const ToolRun run =
+      runEgomotion({hall().session, "-o", folder.path("found")}).succeeded();
+  EXPECT_THAT(run.out, HasSubstr("path:        planar, 0."));
+  EXPECT_THAT(run.out, HasSubstr("; --6dof states one in space"));
+  runEgomotion({hall().session, "-o", folder.path("planar"), "--no-6dof"}).succeeded();
+  EXPECT_EQ(contentOf(folder.path("found/trajectory.txt")),
+            contentOf(folder.path("planar/trajectory.txt")));
 }
 
 TEST(EgomotionTool, LostObservationsLeaveAGap)

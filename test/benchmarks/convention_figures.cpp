@@ -5,9 +5,11 @@
 
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
+#include <pcl/pipeline/camera_path.h>
 #include <pcl/pipeline/pose_convention_check.h>
 #include <pcl/pipeline/rgbd_sequence.h>
 #include <pcl/point_types.h>
+#include <pcl/simulation/standard_scenes.h>
 
 #include <algorithm>
 #include <numeric>
@@ -277,6 +279,32 @@ printAlarms()
       << "";
 }
 
+/** What the path is, by poses that are right or drift. */
+void
+printPaths()
+{
+  printHead("recording | drift | is | found | tilt, degrees | rise, mm | places that "
+            "tilt, of all");
+  const test::TemporaryFolder folder;
+  const auto print = [](const std::vector<Recording>& recordings, bool is_in_space) {
+    for (const Recording& recording : recordings)
+      for (const double drift : {0, 1, 2}) {
+        const FreeMotion motion =
+            freeMotionOf(drifted(recording.trajectory.poses, drift, 1));
+        const CameraPathReport path = judgePath(motion);
+        Row row;
+        row << recording.name << figure(drift, 0)
+            << (is_in_space ? "in space" : "planar")
+            << (path.is_in_space ? "in space" : "planar")
+            << figure(motion.tilt / degree, 2) << figure(milli * motion.rise, 0)
+            << std::to_string(motion.free) + " of " + std::to_string(motion.pairs);
+      }
+  };
+  print(realRecordings(), true);
+  print(simulatedRecordings(standardSceneNames(), folder), false);
+}
+
+const Section paths_section("paths", printPaths);
 const Section found_section("found", printFound);
 const Section alarms_section("alarms", printAlarms);
 

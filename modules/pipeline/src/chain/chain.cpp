@@ -96,9 +96,28 @@ Chain::begin()
   state_.earlier = earlier_;
   state_.noise = settings_.rectification.getOdometryNoise();
   state_.report.mode = settings_.mode;
+  measurePath();
   key_before_ = cloud_state_;
   if (input_ && !first_ && store_.isFolder())
     key_before_ = state_.observations->fingerprint();
+}
+
+void
+Chain::measurePath()
+{
+  if (!settings_.measure_path || !input_ || !has_poses_)
+    return;
+  const ObservationSequence& sequence = *state_.observations;
+  std::vector<Eigen::Isometry3d> poses;
+  for (std::size_t i = 0; i < sequence.size(); ++i)
+    try {
+      poses.push_back(sequence.poseInHeader(i));
+    }
+    catch (const InputFileException&) {
+      continue; // told when it is its turn
+    }
+  state_.report.path = judgePath(freeMotionOf(poses));
+  state_.is_path_in_space = state_.report.path->is_in_space;
 }
 
 void

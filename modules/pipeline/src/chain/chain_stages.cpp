@@ -97,10 +97,20 @@ runOdometry(ChainState& state,
       state.stage.remarks.push_back("lost: " + sequence.name(i) + ": " +
                                     found.reasonOf(i, sequence.names()));
   }
+  if (settings.measure_path)
+    state.report.path = found.path();
+  state.is_path_in_space = settings.measure_path && found.model == MotionModel::Rigid;
   setPoses(state, open.put(found.estimated(stamps)));
   takeNoise(state, settings);
   takeConsolidated(state, settings);
   timer.finish("estimate");
+}
+
+MotionModel
+motionModelOf(const ChainState& state, const ChainSettings& settings)
+{
+  return state.is_path_in_space ? MotionModel::Rigid
+                                : settings.odometry.getEgomotion().getMotionModel();
 }
 
 void
@@ -113,7 +123,7 @@ runExtension(ChainState& state,
   const ObservationSequence joined = state.earlier->followedBy(*state.observations);
   SequenceAlignment alignment;
   alignment.setInputTarget(*state.earlier);
-  alignment.setMotionModel(settings.odometry.getEgomotion().getMotionModel());
+  alignment.setMotionModel(motionModelOf(state, settings));
   alignment.setNumberOfThreads(run.threads);
   alignment.setProgressCallback(run.progress);
   const EstimatedPoses poses = open.put(
@@ -408,11 +418,15 @@ chainStages()
   };
   odometry.key = [](const ChainState&, const ChainSettings& settings, StageKey& key) {
     key.addSettings("egomotion", settings.odometry.getEgomotion().settings());
+    if (settings.measure_path)
+      key.add("path", "measured");
   };
   odometry.run = runOdometry;
   odometry.take =
       [](ChainState& state, const ChainSettings& settings, const StageStore& store) {
         setPoses(state, store.poses("egomotion"));
+        state.is_path_in_space =
+            settings.measure_path && !areOnAFloor(state.estimated.trajectory.poses);
         takeNoise(state, settings);
         takeConsolidated(state, settings);
       };
@@ -426,9 +440,7 @@ chainStages()
   extension.key =
       [](const ChainState& state, const ChainSettings& settings, StageKey& key) {
         key.add("earlier", state.earlier->fingerprint());
-        key.add("model",
-                nameIn(motion_model_names,
-                       settings.odometry.getEgomotion().getMotionModel()));
+        key.add("model", nameIn(motion_model_names, motionModelOf(state, settings)));
       };
   extension.run = runExtension;
   extension.take =
@@ -464,7 +476,7 @@ chainStages()
   ChainStage adjustment;
   adjustment.name = "adjustment";
   adjustment.applies = [](const ChainState& state, const ChainSettings& settings) {
-    return settings.adjust && hasSeveral(state);
+    return (settings.adjust || state.is_path_in_space) && hasSeveral(state);
   };
   adjustment.key = [](const ChainState& state, const ChainSettings&, StageKey& key) {
     key.addSettings("noise", state.noise);
@@ -525,6 +537,7 @@ streamSteps(const ChainSettings& settings, unsigned threads)
 {
   ObservationStream::Steps steps;
   steps.odometry = settings.odometry;
+  steps.odometry.setMeasureMotion(settings.measure_path);
   steps.odometry.setNumberOfThreads(threads);
   steps.consolidation.setRawPoints(settings.rectification.getMode() ==
                                    RectificationMode::Paper);

@@ -64,13 +64,16 @@ isFree(const EgomotionEstimate& estimate, double tilt, double rise)
          rise > std::max(min_rise, sigmas * std::sqrt(covariance(1, 1)));
 }
 
+/** The motions to the first observations, all of which are probed. */
+constexpr std::size_t all_probed = 5;
+
 /** Is the motion to this observation probed with six degrees of freedom? The first ones
  * are, then ever fewer: the choice must not depend on how many observations follow. */
 bool
 isProbed(std::size_t index)
 {
-  constexpr std::size_t all_of = 5, factor = 3;
-  if (index <= all_of)
+  constexpr std::size_t factor = 3;
+  if (index <= all_probed)
     return true;
   while (index > 1 && index % factor == 0)
     index /= factor;
@@ -108,13 +111,24 @@ OdometryRun::OdometryRun(const VisualOdometry& settings)
 , egomotion_(settings.getEgomotion())
 , pair_callback_(settings.getPairCallback())
 , pose_callback_(settings.getPoseCallback())
-, chain_([this](const OdometryView& now,
-                const OdometryView& before) { return estimate(now, before); },
-         [this](const OdometryView& view, const Eigen::Isometry3d& T_map_camera) {
-           keep(view, T_map_camera);
-         })
+, chooses_model_(settings.getMeasureMotion() &&
+                 egomotion_.getMotionModel() == MotionModel::Planar &&
+                 !egomotion_.getPaperMode())
+, chain_(newChain())
 {
+  result_.model = egomotion_.getMotionModel();
   egomotion_.setNumberOfThreads(settings.getNumberOfThreads());
+}
+
+PoseChain
+OdometryRun::newChain()
+{
+  return {[this](const OdometryView& now, const OdometryView& before) {
+            return estimate(now, before);
+          },
+          [this](const OdometryView& view, const Eigen::Isometry3d& T_map_camera) {
+            keep(view, T_map_camera);
+          }};
 }
 
 void
@@ -138,12 +152,36 @@ OdometryRun::add(OdometryView view, const std::string& name)
     probeFreeMotion(view);
   last_ = view;
   last_.file = nullptr;
+  if (chooses_model_)
+    first_.push_back(view);
   chain_.add(std::move(view));
+  if (first_.size() > all_probed)
+    chooseModel();
+}
+
+void
+OdometryRun::chooseModel()
+{
+  chooses_model_ = false;
+  const std::vector<OdometryView> first = std::move(first_);
+  first_.clear();
+  if (!judgePath(result_.free).is_in_space)
+    return;
+  result_.model = MotionModel::Rigid;
+  of_step_.setMotionModel(MotionModel::Rigid);
+  egomotion_.setMotionModel(MotionModel::Rigid);
+  result_.pairs.clear();
+  result_.poses.assign(result_.poses.size(), std::nullopt);
+  chain_ = newChain();
+  for (const OdometryView& view : first)
+    chain_.add(view);
 }
 
 const VisualOdometryResult&
 OdometryRun::finish(std::size_t observations)
 {
+  if (chooses_model_)
+    chooseModel();
   result_.poses.resize(observations);
   const auto is_beyond = [&](const OdometryPair& pair) {
     return pair.now >= observations;

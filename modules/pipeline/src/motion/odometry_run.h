@@ -59,8 +59,16 @@ public:
   finish(std::size_t observations);
 
 private:
+  PoseChain
+  newChain();
+
   void
   probeFreeMotion(const OdometryView& now);
+
+  /** \brief Chooses the motion model by the first observations, which are estimated again where
+   * the camera moves freely. */
+  void
+  chooseModel();
 
   std::optional<Eigen::Isometry3d>
   estimate(const OdometryView& now, const OdometryView& before);
@@ -73,7 +81,9 @@ private:
   VisualOdometry::PairCallback pair_callback_;
   VisualOdometry::PoseCallback pose_callback_;
   VisualOdometryResult result_;
-  std::string size_;                  ///< of the first observation
+  std::string size_;                ///< of the first observation
+  std::vector<OdometryView> first_; ///< until the motion model is chosen
+  bool chooses_model_;
   OdometryView last_;                 ///< without its file
   std::vector<double> tilts_, rises_; ///< of \ref FreeMotion, radians and metres
   PoseChain chain_;

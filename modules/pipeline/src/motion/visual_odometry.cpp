@@ -76,6 +76,17 @@ VisualOdometryResult::reasonOf(std::size_t lost,
   return {};
 }
 
+CameraPathReport
+VisualOdometryResult::path() const
+{
+  CameraPathReport report = judgePath(free);
+  const bool was_free = report.is_in_space;
+  report.is_in_space = model == MotionModel::Rigid;
+  if (report.is_in_space != was_free) // later motions are others than the first ones
+    report.confidence = 1 - report.confidence;
+  return report;
+}
+
 OdometryNoise
 VisualOdometryResult::noise() const
 {

@@ -494,6 +494,12 @@ ObservationSequence::recordedPose(std::size_t i) const
   return pose;
 }
 
+Eigen::Isometry3d
+ObservationSequence::poseInHeader(std::size_t i) const
+{
+  return hasTrajectory() ? pose(i) : readPose(recordedPose(i), reading_);
+}
+
 ObservationSequence
 ObservationSequence::withPosesRead(const PoseReading& reading) const
 {

@@ -167,6 +167,18 @@ private:
   std::map<std::size_t, std::shared_ptr<const RangeView>> views_;
 };
 
+/** The identity for an observation that cannot be read, which is then left out. */
+Eigen::Isometry3d
+recordedPose(const ObservationSequence& sequence, std::size_t i)
+{
+  try {
+    return sequence.recordedPose(i);
+  }
+  catch (const InputFileException&) {
+    return Eigen::Isometry3d::Identity();
+  }
+}
+
 /** Agreement of each pair under each reading. */
 using Scores = std::vector<std::vector<double>>;
 
@@ -362,7 +374,7 @@ PoseConventionCheck::assess(const ObservationSequence& sequence)
     acmap::StepTimer timer(report);
     Poses recorded;
     for (std::size_t i = 0; i < sequence.size(); ++i)
-      recorded.push_back(sequence.recordedPose(i));
+      recorded.push_back(recordedPose(sequence, i));
     const std::vector<PoseReading> readings = readingsBeside(report.stated);
     judge(scoresOf(posed, recorded, readings, threads_, progress_), readings, report);
     timer.finish("check");

@@ -331,7 +331,7 @@ goWithoutPoses(const std::string& wanted, RgbdSequence& sequence)
 {
   sequence.has_poses = false;
   sequence.remarks.push_back("the recording has no poses (looked for " + wanted +
-                             "): pcl_visual_egomotion or pcl_compact_mapping --6dof "
+                             "): pcl_visual_egomotion or pcl_compact_mapping "
                              "finds them");
 }
 

@@ -48,6 +48,9 @@ struct ChainSettings {
   bool rectify = true;
   bool rectifies_one = false; ///< one observation, too: it is only levelled
   bool adjust = false;
+  /** \brief Finds out what the path of the camera is: one in space is adjusted, and estimated with
+   * six degrees of freedom where its poses are not known. */
+  bool measure_path = false;
   bool skip_broken = false;
   ObservationMerging merging;
   PlaneMapping planes;
@@ -74,7 +77,8 @@ struct ChainState {
   /** \brief Consolidated points of the new observations that have a pose, if they were
    * made when these were read first; else empty. */
   std::vector<ConsolidatedObservation> consolidated;
-  OdometryNoise noise; ///< of the poses that are rectified and adjusted
+  bool is_path_in_space = false; ///< as it was measured
+  OdometryNoise noise;           ///< of the poses that are rectified and adjusted
   /** \brief Input of the rectification, if it ran. */
   ConsolidatedObservations rectified;
   Trajectory before; ///< poses before the rectification, level; empty without one
@@ -281,6 +285,10 @@ public:
 private:
   void
   begin();
+
+  /** \brief Finds out what the path of known poses is. */
+  void
+  measurePath();
 
   /** \brief Compares recorded poses with the views. */
   void

@@ -410,6 +410,21 @@ public:
     return settings_.adjust;
   }
 
+  /** \brief Finds out what the path of the camera is (default false): one in space, as of a hand, is
+   * estimated with six degrees of freedom (\ref VisualOdometry::setMeasureMotion) where its poses
+   * are not known, and adjusted. */
+  void
+  setMeasurePath(bool measure)
+  {
+    settings_.measure_path = measure;
+  }
+
+  bool
+  getMeasurePath() const
+  {
+    return settings_.measure_path;
+  }
+
   /** \brief Leaves out observations that cannot be read, with a remark, in the steps after
    * the odometry (default false). */
   void

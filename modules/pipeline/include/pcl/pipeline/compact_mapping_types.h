@@ -8,6 +8,7 @@
 #include <pcl/mapping/entropy_rectification_types.h>
 #include <pcl/mapping/map_levelling_types.h>
 #include <pcl/mapping/plane_adjustment_types.h>
+#include <pcl/pipeline/camera_path.h>
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/pipeline/pose_convention_check.h>
@@ -63,6 +64,7 @@ using MappingStateCallback = std::function<void(const MappingState&)>;
 struct CompactMappingReport : Report {
   MappingMode mode = MappingMode::Accurate; ///< as \ref CompactMapping::setMode set it
   std::optional<PoseConventionReport> pose_convention; ///< if poses were recorded
+  std::optional<CameraPathReport> path;                ///< if it was measured
   std::optional<VisualOdometryResult> odometry;        ///< if the poses were unknown
   std::optional<SequenceAlignmentReport> extension;    ///< of an earlier map
   std::optional<SequenceConsolidationReport> consolidation;
@@ -85,6 +87,7 @@ visitFields(const CompactMappingReport& report, Visitor&& visit)
 {
   visit({"mode"}, acmap::Named{report.mode, acmap::mapping_mode_names});
   visit({"pose_convention"}, report.pose_convention);
+  visit({"path"}, report.path);
   visit({"odometry"}, report.odometry);
   visit({"extension"}, report.extension);
   visit({"consolidation"}, report.consolidation);

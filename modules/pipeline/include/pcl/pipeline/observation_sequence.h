@@ -216,6 +216,11 @@ public:
   Eigen::Isometry3d
   recordedPose(std::size_t i) const;
 
+  /** \brief Pose of an observation, T_map_camera, as \ref pose; that of a PCD is read from its
+   * header, with the digits that it has there. */
+  Eigen::Isometry3d
+  poseInHeader(std::size_t i) const;
+
   /** \brief Frame of the observations in that whose poses were recorded: in the axes of acmap's
    * camera, metres. */
   const Eigen::Isometry3d&

@@ -7,6 +7,7 @@
 #include <pcl/core/trajectory.h>
 #include <pcl/egomotion/visual_egomotion.h>
 #include <pcl/mapping/entropy_rectification_types.h>
+#include <pcl/pipeline/camera_path.h>
 #include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_sequence.h>
 
@@ -50,27 +51,6 @@ visitFields(const OdometryPair& pair, Visitor&& visit)
   visit({"estimate"}, pair.estimate);
 }
 
-/** \brief Deviation of the camera from planar motion (in its xz plane and about its y
- * axis), from one observation to the next.
- * \ingroup pipeline */
-struct FreeMotion {
-  std::size_t pairs = 0; ///< estimated with six degrees of freedom
-  std::size_t free = 0;  ///< of these, those that clearly exceed their noise
-  double tilt = 0;       ///< of its y axis, radians, median
-  double rise = 0;       ///< along y, metres, absolute value, median
-};
-
-/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
-template <typename Visitor>
-void
-visitFields(const FreeMotion& motion, Visitor&& visit)
-{
-  visit({"pairs"}, motion.pairs);
-  visit({"free"}, motion.free);
-  visit({"tilt", "rad"}, motion.tilt);
-  visit({"rise", "m"}, motion.rise);
-}
-
 /** \brief Poses of a sequence, and the motions that they were computed from.
  *
  * \ingroup pipeline */
@@ -80,7 +60,11 @@ struct VisualOdometryResult {
   /** \brief T_map_camera of each observation; empty if the observation is lost. */
   std::vector<std::optional<Eigen::Isometry3d>> poses;
 
-  FreeMotion free; ///< from a few pairs, if the motion model is planar
+  MotionModel model = MotionModel::Planar; ///< of the motions
+
+  /** \brief From a few pairs with six degrees of freedom, about the y axis of the camera, unless
+   * the model was stated as rigid. */
+  FreeMotion free;
 
   /** \brief Number of observations with a pose. */
   ACMAP_EXPORT std::size_t
@@ -91,6 +75,10 @@ struct VisualOdometryResult {
    * \param[in] names of the files of the sequence */
   ACMAP_EXPORT std::string
   reasonOf(std::size_t lost, const std::vector<std::string>& names) const;
+
+  /** \brief What the path of the camera is, by \ref model and \ref free. */
+  ACMAP_EXPORT CameraPathReport
+  path() const;
 
   /** \brief Odometry noise for \ref EntropyRectification, the medians of the standard
    * deviations of the motions.
@@ -111,6 +99,7 @@ visitFields(const VisualOdometryResult& result, Visitor&& visit)
 {
   visit({"pairs"}, result.pairs);
   visit({"poses"}, result.poses);
+  visit({"model"}, acmap::Named{result.model, acmap::motion_model_names});
   visit({"free_motion"}, result.free);
 }
 
@@ -162,6 +151,21 @@ public:
     return egomotion_;
   }
 
+  /** \brief Finds out whether the camera moves freely (default false): if most of the first five
+   * motions leave the floor, all are estimated with six degrees of freedom, else with the motion
+   * model of the estimator. Has no effect in its paper mode, and if its model is rigid. */
+  void
+  setMeasureMotion(bool measure)
+  {
+    measure_motion_ = measure;
+  }
+
+  bool
+  getMeasureMotion() const
+  {
+    return measure_motion_;
+  }
+
   void
   setPairCallback(PairCallback callback)
   {
@@ -196,6 +200,7 @@ public:
 
 private:
   Egomotion egomotion_;
+  bool measure_motion_ = false;
   PairCallback pair_callback_;
   PoseCallback pose_callback_;
 };
