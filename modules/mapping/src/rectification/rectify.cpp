@@ -202,14 +202,23 @@ mendedOdometry(const MeasuredOdometry& measured,
   return mended;
 }
 
+/** Are parts laid onto each other that saw no wall in common before? They may be copies of
+ * each other, which no ray contradicts. */
+bool
+isFolded(const EntropyRectificationReport& report)
+{
+  constexpr double none = 0.01, many = 0.2; // shares of the rays
+  return report.before.far_rays < none && report.after.far_rays > many;
+}
+
 /** Keeps the given poses unless the verdict says that others are better.
- * \param[in] is_strict keeps them also if it says nothing: not for views in space, of which
- * its estimate knows too little */
+ * \param[in] are_scans Otherwise the verdict's estimate knows too little of the views to
+ * prove anything, and only what it contradicts is refused, or what may be copies. */
 std::vector<PlanarPose>
 judged(const IndependentEstimate& estimate,
        const std::vector<PlanarPose>& given,
        std::vector<PlanarPose> result,
-       bool is_strict,
+       bool are_scans,
        EntropyRectificationReport& report)
 {
   if (report.outcome != RectificationOutcome::Rectified) {
@@ -220,18 +229,24 @@ judged(const IndependentEstimate& estimate,
       report.verdict->outcome = VerdictOutcome::Undetermined;
     return given;
   }
-  report.verdict = estimate.judge(result);
-  const VerdictOutcome outcome = report.verdict->outcome;
-  const bool is_worse = outcome == VerdictOutcome::Contradicted;
-  if (outcome == VerdictOutcome::Consistent || (!is_strict && !is_worse))
+  MapVerdictReport& verdict = report.verdict.emplace(estimate.judge(result));
+  const bool is_worse = verdict.outcome == VerdictOutcome::Contradicted;
+  const bool is_folded = !are_scans && isFolded(report);
+  if (verdict.outcome == VerdictOutcome::Consistent ||
+      !(are_scans || is_worse || is_folded))
     return result;
+  if (is_folded)
+    verdict.reasons.insert(
+        verdict.reasons.begin(),
+        "ambiguous: parts that had no wall in common are laid onto each "
+        "other, and may only look alike");
   report.outcome =
       is_worse ? RectificationOutcome::Refused : RectificationOutcome::Undetermined;
   report.reason = is_worse
                       ? "an estimate from neighbouring observations, places that are "
                         "seen again and the odometry contradicts the rectified poses"
                       : "nothing proves that the rectified poses are better";
-  for (const std::string& reason : report.verdict->reasons)
+  for (const std::string& reason : verdict.reasons)
     report.reason += "; " + reason;
   report.refused_poses = std::move(result);
   return given;
