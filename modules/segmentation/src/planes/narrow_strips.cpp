@@ -71,14 +71,19 @@ raise(const CellGraph& graph,
 }
 
 /** Are two strips on one line? The positions of their hypotheses are uncertain by half
- * a spacing. */
+ * a spacing.
+ * \param[in] along long axis of \a a
+ * \param[in] along_b that of \a b */
 bool
-areInLine(const GrownPlane& a, const GrownPlane& b, double spacing)
+areInLine(const GrownPlane& a,
+          const GrownPlane& b,
+          const Eigen::Vector3d& along,
+          const Eigen::Vector3d& along_b,
+          double spacing)
 {
   constexpr double parallel = 0.97, aside = 2.5;
-  const Eigen::Vector3d along = longAxis(a);
   const Eigen::Vector3d way = b.moments.mean() - a.moments.mean();
-  return std::abs(along.dot(longAxis(b))) > parallel &&
+  return std::abs(along.dot(along_b)) > parallel &&
          (way - along.dot(way) * along).norm() < aside * spacing &&
          a.plane.normal.dot(b.plane.normal) > 0.5;
 }
@@ -112,12 +117,24 @@ isRounding(const CellGraph& graph,
 void
 joinStrips(double spacing, std::vector<GrownPlane>& planes)
 {
+  std::vector<std::size_t> strips;
+  std::vector<Eigen::Vector3d> axes;
   for (std::size_t i = 0; i < planes.size(); ++i)
-    for (std::size_t j = i + 1; j < planes.size(); ++j)
-      if (planes[i].trust == PlaneTrust::Strip && !planes[i].members.empty() &&
-          planes[j].trust == PlaneTrust::Strip && !planes[j].members.empty() &&
-          areInLine(planes[i], planes[j], spacing))
-        takeIn(planes[i], planes[j], planes[i].plane);
+    if (planes[i].trust == PlaneTrust::Strip) {
+      strips.push_back(i);
+      axes.push_back(longAxis(planes[i]));
+    }
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    GrownPlane& strip = planes[strips[i]];
+    for (std::size_t j = i + 1; j < strips.size(); ++j) {
+      GrownPlane& other = planes[strips[j]];
+      if (strip.members.empty() || other.members.empty() ||
+          !areInLine(strip, other, axes[i], axes[j], spacing))
+        continue;
+      takeIn(strip, other, strip.plane);
+      axes[i] = longAxis(strip);
+    }
+  }
   dropEmpty(planes);
 }
 

@@ -16,17 +16,48 @@ struct GrownPlane {
   double warp = 0; ///< metres, see KnownPlane
 };
 
+/** Takes elements into a region that were not taken in very often before: the seeds of a
+ * surface on which no plane ends grow to nearly the same region, again and again. */
+class SparingRegion {
+public:
+  SparingRegion(PlaneRegion& region, std::vector<std::uint8_t>& times)
+  : region_(region)
+  , times_(times)
+  {}
+
+  bool
+  accepts(std::size_t i) const
+  {
+    constexpr std::uint8_t most = 32; // times that one pass takes an element in
+    return times_[i] < most && region_.accepts(i);
+  }
+
+  void
+  add(std::size_t i)
+  {
+    ++times_[i];
+    region_.add(i);
+  }
+
+private:
+  PlaneRegion& region_;
+  std::vector<std::uint8_t>& times_;
+};
+
 /** Removes members that do not fit the plane of all members and grows again from the
- * others, until nothing changes, in at most five rounds. */
+ * others, until nothing changes, in at most five rounds.
+ * \param[in,out] times that each element was taken in */
 template <typename Neighbours>
 void
 settleRegion(const Neighbours& neighbours,
              PlaneRegion& region,
+             std::vector<std::uint8_t>& times,
              std::vector<std::int32_t>& members,
              std::vector<std::int32_t>& owner,
              std::int32_t id)
 {
   constexpr int max_rounds = 5;
+  SparingRegion sparing(region, times);
   for (int round = 0; round < max_rounds && !members.empty(); ++round) {
     region.setMembers(members);
     std::vector<std::int32_t> kept;
@@ -38,7 +69,7 @@ settleRegion(const Neighbours& neighbours,
     const bool has_dropped = kept.size() < members.size();
     const std::size_t before = kept.size();
     members = std::move(kept);
-    growRegion(neighbours, region, members, owner, id);
+    growRegion(neighbours, sparing, members, owner, id);
     if (!has_dropped && members.size() == before)
       break;
   }
@@ -59,7 +90,7 @@ growPlanes(const CellGraph& graph,
            std::vector<std::int32_t>& owner,
            const Accept& accept)
 {
-  std::vector<std::uint8_t> is_tried(graph.size(), 0);
+  std::vector<std::uint8_t> is_tried(graph.size(), 0), times(graph.size(), 0);
   for (const std::int32_t seed : seeds) {
     if (owner[static_cast<std::size_t>(seed)] != no_region ||
         is_tried[static_cast<std::size_t>(seed)])
@@ -68,8 +99,9 @@ growPlanes(const CellGraph& graph,
     std::vector<std::int32_t> members{seed};
     owner[static_cast<std::size_t>(seed)] = next;
     region.add(static_cast<std::size_t>(seed));
-    growRegion(neighbours, region, members, owner, next);
-    settleRegion(neighbours, region, members, owner, next);
+    SparingRegion sparing(region, times);
+    growRegion(neighbours, sparing, members, owner, next);
+    settleRegion(neighbours, region, times, members, owner, next);
     if (accept(members, region)) {
       ++next;
       continue;
