@@ -29,13 +29,17 @@ constexpr std::int32_t wide_plane = no_region - 1;
 /** Elements near a cylinder with normals along its radius. */
 class CylinderRegion {
 public:
-  /** \param[in] owner of each element: those of wide planes are not accepted */
+  /** \param[in] owner of each element: those of wide planes are not accepted
+   * \param[in] times that each element was grown over; after very many of them it is not
+   * accepted any more */
   CylinderRegion(const SurfaceElements& elements,
                  const std::vector<std::int32_t>& owner,
+                 const std::vector<std::uint8_t>& times,
                  const Cylinder& cylinder,
                  double distance)
   : elements_(elements)
   , owner_(owner)
+  , times_(times)
   , cylinder_(cylinder)
   , distance_(distance)
   {}
@@ -43,7 +47,8 @@ public:
   bool
   accepts(std::size_t i) const
   {
-    if (owner_[i] == wide_plane)
+    constexpr std::uint8_t most = 128;
+    if (owner_[i] == wide_plane || times_[i] >= most)
       return false;
     const Eigen::Vector3d from = cylinder_.across(elements_.points[i]);
     const double radius = from.norm();
@@ -65,6 +70,7 @@ public:
 private:
   const SurfaceElements& elements_;
   const std::vector<std::int32_t>& owner_;
+  const std::vector<std::uint8_t>& times_;
   const Cylinder& cylinder_;
   double distance_;
 };
@@ -376,6 +382,7 @@ public:
   , seed_search_(elements)
   , scratch_(elements.size(), no_region)
   , failures_(elements.size(), 0)
+  , times_(elements.size(), 0)
   , plane_sizes_(faces.planes.size(), 0)
   , plane_bits_(faces.planes.size(), 0)
   {
@@ -459,7 +466,8 @@ private:
   SeedSearch seed_search_;
   std::vector<std::int32_t> scratch_; ///< of one region; no_region between
   std::vector<std::uint8_t>
-      failures_; ///< regions of each element that were no cylinder
+      failures_;                    ///< regions of each element that were no cylinder
+  std::vector<std::uint8_t> times_; ///< that each element was grown over
   std::vector<std::size_t> plane_sizes_;
   std::vector<double> plane_bits_; ///< of the elements of each plane
   std::vector<GrownCylinder> taken_;
@@ -468,6 +476,7 @@ private:
 std::vector<GrownCylinder>
 CylinderSearch::growCandidates()
 {
+  times_.assign(elements_.size(), 0);
   std::vector<std::uint8_t> is_covered(elements_.size(), 0);
   std::vector<GrownCylinder> candidates;
   for (const Seed* const seed : seed_search_.run(owner_)) {
@@ -495,8 +504,11 @@ CylinderSearch::grow(const Seed& seed)
   std::vector<std::int32_t> start = seed.patch;
   for (int round = 0; round < max_rounds; ++round) {
     const Cylinder cylinder = grown.fit.cylinder;
-    CylinderRegion region(
-        elements_, owner_, cylinder, (round < wide_rounds ? 2 : 1) * tolerance());
+    CylinderRegion region(elements_,
+                          owner_,
+                          times_,
+                          cylinder,
+                          (round < wide_rounds ? 2 : 1) * tolerance());
     std::vector<std::int32_t> members;
     for (const std::int32_t element : start)
       if (region.accepts(static_cast<std::size_t>(element))) {
@@ -505,8 +517,10 @@ CylinderSearch::grow(const Seed& seed)
       }
     if (2 * members.size() >= start.size())
       growRegion(neighbours, region, members, scratch_, 0);
-    for (const std::int32_t member : members)
+    for (const std::int32_t member : members) {
       scratch_[static_cast<std::size_t>(member)] = no_region;
+      ++times_[static_cast<std::size_t>(member)];
+    }
     members.erase(std::remove_if(members.begin(),
                                  members.end(),
                                  [&](std::int32_t member) {

@@ -284,6 +284,8 @@ private:
   bool
   isPromising(const RawCylinder& cylinder) const;
   bool
+  isExhausted() const;
+  bool
   isNear(const Cylinder& cylinder, std::int32_t member) const;
   bool
   searchStrips();
@@ -313,7 +315,8 @@ private:
   std::vector<Members> plane_members_;
   Directions directions_; ///< of planes and of their edges
   std::vector<RawCylinder> found_;
-  std::set<Members> failed_; ///< clusters; they are not searched again beside a mesh
+  std::size_t looked_at_ = 0; ///< points, by all searches
+  std::set<Members> failed_;  ///< clusters; they are not searched again beside a mesh
 };
 
 Directions
@@ -428,6 +431,16 @@ RawSearch::isPromising(const RawCylinder& cylinder) const
              static_cast<double>(cylinder.samples.size());
 }
 
+/** Were the points looked at so often that the rest is not worth it? Clusters are searched
+ * in the order of their sizes, and each search looks at all free points; where poses are
+ * wrong, these are all points, in very many clusters. */
+bool
+RawSearch::isExhausted() const
+{
+  constexpr std::size_t most = 20;
+  return looked_at_ > most * cloud_.points.size();
+}
+
 /** Is a point so near a cylinder that it may belong to it after a better fit? */
 bool
 RawSearch::isNear(const Cylinder& cylinder, std::int32_t member) const
@@ -495,7 +508,7 @@ RawSearch::searchCluster(const Members& cluster, const Members& pool)
   if (!fit)
     return false;
   cylinder.fit = *fit;
-  if (has_mesh_ && !isPromising(cylinder))
+  if (has_mesh_ && (!isPromising(cylinder) || isExhausted()))
     return false;
   Members candidates;
   for (const std::int32_t member : pool)
@@ -503,6 +516,8 @@ RawSearch::searchCluster(const Members& cluster, const Members& pool)
         (!has_mesh_ || isNear(cylinder.fit.cylinder, member)))
       candidates.push_back(member);
   addPlanesOn(cylinder.fit.cylinder, candidates);
+  constexpr std::size_t gatherings = 15; // at most, to grow and to settle
+  looked_at_ += pool.size() + gatherings * candidates.size();
   CylinderReach reach =
       reachOf(cylinder.fit.cylinder, cylinder.samples, 2 * cloud_.spacing);
   if (has_mesh_ && !growRaw(cloud_, candidates, reach, cylinder))
