@@ -9,6 +9,7 @@
 #include <pcl/core/impl/large_memory.h>
 #include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/impl/mesh_input.h>
+#include <pcl/core/impl/observation_gap.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/impl/up_direction.h>
 #include <pcl/core/impl/zero_points.h>
@@ -329,6 +330,30 @@ private:
     acmap::addRemarks(report_, step.remarks);
   }
 
+  /** Where the observations of a merged cloud do not lie on each other, no scale shows planes
+   * with noise. A mesh of all points would be a knot of shards; they are consolidated to how
+   * far they are apart. */
+  void
+  takeObservationGap(const std::vector<Eigen::Vector3f>& sensors)
+  {
+    NoiseScale& scale = *report_.noise_scale;
+    const ObservationGap gap =
+        measureObservationGap(requirePoints(rows_),
+                              sensorsOf(rows_, sensors, std::nullopt),
+                              scale.spacing,
+                              mapping_.getNumberOfThreads());
+    if (!gap.isChance())
+      return;
+    scale.sigma = gap.gap;
+    scale.interval.reset();
+    scale.is_determined = true;
+    report_.remarks.push_back(
+        "the observations do not lie on each other: where they overlap, the points of "
+        "one are " +
+        shortNumber(1000 * gap.gap) +
+        " mm off the planes of another (median); their poses may be wrong");
+  }
+
   /** \return true if the cloud was consolidated: the vertices are then the consolidated
    * points */
   bool
@@ -349,6 +374,8 @@ private:
                                 : measureNoiseScale(requirePoints(rows_),
                                                     sensorsOf(rows_, sensors, known),
                                                     mapping_.getNumberOfThreads());
+      if (!needsConsolidation(*report_.noise_scale))
+        takeObservationGap(sensors);
       if (report_.noise_scale->inverse_depth || !report_.noise_scale->is_determined)
         report_.remarks.push_back(report_.noise_scale->remarks.front());
       finish("noise scale");
