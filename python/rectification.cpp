@@ -174,7 +174,7 @@ up                three numbers, the up direction of the map; None: found by flo
                   walls, see report.up_reason
 odometry_length, odometry_length_per_metre, odometry_turn, odometry_turn_per_radian
                   what the odometry is expected to err by, one standard deviation: metres,
-                  m/m, radians, rad/rad
+                  m/m, radians, rad/rad; left as they are, planar scans may tell others
 seed              of the voting
 threads           0: all; the result is the same bytes for every number
 progress          called with (fraction, step); stops the run when it returns False)";
@@ -232,10 +232,15 @@ bindRectification(py::module_& module)
         setKeyword("smoothing", rectification, &Rectification::setSmoothing, smoothing);
         if (smoothing && rectification.getMode() != RectificationMode::Paper)
           throw py::value_error("smoothing: is for mode 'paper'");
-        rectification.setOdometryNoise({odometry_length,
-                                        odometry_length_per_metre,
-                                        odometry_turn,
-                                        odometry_turn_per_radian});
+        const OdometryNoise usual;
+        if (odometry_length != usual.length ||
+            odometry_length_per_metre != usual.length_per_metre ||
+            odometry_turn != usual.turn ||
+            odometry_turn_per_radian != usual.turn_per_radian)
+          rectification.setOdometryNoise({odometry_length,
+                                          odometry_length_per_metre,
+                                          odometry_turn,
+                                          odometry_turn_per_radian});
         rectification.setSeed(seed);
         if (up)
           setKeyword("up",

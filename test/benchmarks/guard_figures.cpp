@@ -375,7 +375,7 @@ void
 printVerdictsOf(const std::vector<std::string>& kinds)
 {
   const char* const told = std::getenv("ACMAP_GUARD_SEED");
-  const std::uint64_t first_seed = told ? std::strtoull(told, nullptr, 10) : 41;
+  const std::uint64_t first_seed = told ? std::strtoull(told, nullptr, 10) : 81;
   const GuardRuns runs = runKinds(kinds, first_seed);
   printHead(
       "runs with | runs | worse and accepted | worse | contradicted | undetermined | "

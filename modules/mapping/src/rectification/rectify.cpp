@@ -221,15 +221,19 @@ judged(const IndependentEstimate& estimate,
        bool are_scans,
        EntropyRectificationReport& report)
 {
+  constexpr double certain = 0.95; // probability
   if (report.outcome != RectificationOutcome::Rectified) {
     report.verdict = estimate.judgeGiven();
-    // the rays have found nothing better: they outweigh a wrong match of two scans
-    if (report.outcome == RectificationOutcome::Kept &&
+    // unless the rays contradict all, they outweigh a wrong match of two scans
+    if (report.outcome != RectificationOutcome::Refused &&
         report.verdict->outcome == VerdictOutcome::Contradicted)
       report.verdict->outcome = VerdictOutcome::Undetermined;
     return given;
   }
   MapVerdictReport& verdict = report.verdict.emplace(estimate.judge(result));
+  if (!are_scans && verdict.probability_worse < certain &&
+      verdict.outcome == VerdictOutcome::Contradicted)
+    verdict.outcome = VerdictOutcome::Undetermined; // a wrong match of two views
   const bool is_worse = verdict.outcome == VerdictOutcome::Contradicted;
   const bool is_folded = !are_scans && isFolded(report);
   if (verdict.outcome == VerdictOutcome::Consistent ||
