@@ -131,9 +131,8 @@ tellVerdict(const EntropyRectificationReport& report, StageLog& log)
                      {"undetermined", "the given poses are kept: " + reasons + option});
   if (verdict.outcome == VerdictOutcome::Contradicted &&
       verdict.given == VerdictOutcome::Contradicted)
-    log.contradiction =
-        "the poses are contradicted, and so are those that were found instead: " +
-        reasons + option;
+    log.contradiction = "the poses are contradicted: " + report.reason +
+                        (report.refused_poses.empty() ? "; " + reasons : "") + option;
 }
 
 void

@@ -245,6 +245,30 @@ TEST(RectificationTool, StraightensALog)
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 61);
 }
 
+/** Turns of the other sign, whose maps no search straightens. */
+TEST(RectificationTool, SetsAsideWhatItsOwnEvidenceContradicts)
+{
+  const TemporaryFolder folder;
+  CarmenLog log = loadCarmenLog(folder.write("right.log", roomLog(false)));
+  for (PlanarScan& scan : log.scans)
+    scan.pose = {-scan.pose.x, scan.pose.z, -3 * scan.pose.theta};
+  const std::string wrong = folder.path("wrong.log");
+  saveCarmenLog(wrong, log.scans);
+  const std::string output = folder.path("out"), aside = output + ".contradicted";
+  for (int time = 0; time < 2;
+       ++time) { // the second result takes the place of the first
+    const ToolRun run = runRectification({"--carmen", wrong, "-o", output});
+    EXPECT_EQ(run.exit_code, 7) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("contradict"));
+    EXPECT_THAT(run.err, HasSubstr(aside));
+    EXPECT_FALSE(fs::exists(output));
+    EXPECT_EQ(reportOf(aside).at("verdict").at("outcome"), "contradicted");
+  }
+  fs::remove(aside + "/report.json");
+  EXPECT_EQ(runRectification({"--carmen", wrong, "-o", output}).exit_code, 5)
+      << "it may hold other files";
+}
+
 /** The scans of a log as a bag, whose odometry is the poses of the log. */
 std::string
 bagOf(const CarmenLog& log)

@@ -1,5 +1,5 @@
-#include "../odometry_sigmas.h"
 #include "../verdict/independent_estimate.h"
+#include "mended_odometry.h"
 #include "rectification_steps.h"
 #include "remaining_error.h"
 
@@ -100,16 +100,6 @@ searchAlongAxes(const RectificationTask& task,
              : poses;
 }
 
-OdometryNoise
-scaled(OdometryNoise noise, double lengths, double turns)
-{
-  noise.length *= lengths;
-  noise.length_per_metre *= lengths;
-  noise.turn *= turns;
-  noise.turn_per_radian *= turns;
-  return noise;
-}
-
 /** Tells how far the poses of the map that is rectified or kept may still be wrong. */
 void
 tellRemainingError(const RectificationTask& task,
@@ -159,47 +149,6 @@ whatHinders(EntropySearch& search,
   const MapEntropyTerms terms =
       mapEntropy(search.cells(level), poses, search.entropySettings(level), told);
   return terms.points == 0 || terms.dimensions < 2 ? told.remarks.front() : "";
-}
-
-/** The odometry without the errors that neighbouring scans show in all of its steps, and the
- * noise that is left, if it errs more than is assumed. */
-std::vector<PlanarPose>
-mendedOdometry(const MeasuredOdometry& measured,
-               const std::vector<PlanarPose>& given,
-               OdometryNoise& noise,
-               EntropyRectificationReport& report)
-{
-  constexpr double usual = 2.5; // a factor that is within what the search permits
-  const auto &across = measured.across, &ahead = measured.ahead, &turn = measured.turn;
-  const auto factorOf = [](const MeasuredOdometry::Component& one) {
-    return std::hypot(one.scale, one.bias);
-  };
-  if (std::max({factorOf(across), factorOf(ahead), factorOf(turn)}) <= usual)
-    return given;
-  std::vector<PlanarPose> mended{given.front()};
-  for (std::size_t t = 1; t < given.size(); ++t) {
-    PlanarAction action = actionBetween(given[t - 1], given[t]);
-    const double length = lengthSigma(noise, std::hypot(action.dx, action.dz));
-    const double angle = turnSigma(noise, std::abs(action.dtheta));
-    action.dx -= across.bias * length;
-    action.dz -= ahead.bias * length;
-    action.dtheta -= turn.bias * angle;
-    mended.push_back(moved(mended.back(), action));
-  }
-  // powers of two: rounding must not change the energy
-  const auto scaleOf = [](double factor) {
-    return std::exp2(std::round(std::log2(std::max(1.0, factor))));
-  };
-  const double lengths = scaleOf(std::max(across.scale, ahead.scale));
-  const double turns = scaleOf(turn.scale);
-  noise = scaled(noise, lengths, turns);
-  report.remarks.push_back(
-      "the odometry errs more than is assumed, as neighbouring scans show: " +
-      shortNumber(lengths) + " times as much in lengths and " + shortNumber(turns) +
-      " times in turns, and by " + shortNumber(turn.bias) +
-      " standard deviations in each turn; this was taken (--odometry-noise states "
-      "another)");
-  return mended;
 }
 
 /** Are parts laid onto each other that saw no wall in common before? They may be copies of
@@ -275,6 +224,14 @@ rectify(const std::vector<LevelledPoints>& observations,
     estimate.emplace(observations, poses, settings.odometry, settings.seed, progress);
     if (!settings.is_odometry_stated && areScans(observations))
       start = mendedOdometry(estimate->odometry(), poses, taken.odometry, report);
+    if (report.outcome == RectificationOutcome::Refused) {
+      measureQuality(observations, poses, report.before);
+      report.after = report.before;
+      report.verdict = estimate->judgeGiven();
+      report.remarks.push_back("the poses are as they came: " + report.reason);
+      tellMoves(poses, poses, report);
+      return poses;
+    }
   }
   const RectificationTask task{observations, taken, progress, report};
   EntropySearch search(task);
