@@ -149,7 +149,8 @@ private:
 
 constexpr const char* exit_code_text =
     "Exit codes: 0 done, 1 failed, 2 usage, 3 input unreadable or malformed, 4 nothing "
-    "found,\n5 output could not be written, 6 not enough memory, 7 the result contradicts itself,\n130 interrupted. "
+    "found,\n5 output could not be written, 6 not enough memory, 7 the result "
+    "contradicts itself,\n130 interrupted. "
     "Long options may also be spelt with one dash and underscores.";
 
 std::string

@@ -207,10 +207,8 @@ public:
                {"iidc", identity.version},
                {"mode", grabber.getMode().text()},
                {"rate", grabber.getFramesPerSecond()}};
-    details.update(
-        fieldsOf(report, {{"frames"}, {"frames_per_second"}, {"order_check"}}));
+    details.update(fieldsOf(report, {{"frames"}, {"frames_per_second"}}));
     details["channel_order"] = order;
-    details["order_check"] = report.order ? fieldsOf(*report.order) : Json();
     log.warn(report.remarks);
     log.tell("camera",
              identity.serial() + ", " + identity.maker + ", " + identity.model + ", " +

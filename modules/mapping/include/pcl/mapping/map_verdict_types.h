@@ -36,8 +36,8 @@ struct MeasuredOdometry {
   };
 
   Component across, ahead, turn; ///< x, z, theta
-  std::size_t steps = 0;               ///< of the trajectory
-  std::size_t slips = 0;               ///< steps in which the wheels slipped
+  std::size_t steps = 0;         ///< of the trajectory
+  std::size_t slips = 0;         ///< steps in which the wheels slipped
 };
 
 /** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */

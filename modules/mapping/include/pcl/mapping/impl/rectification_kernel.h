@@ -23,7 +23,7 @@ struct RectificationSettings {
   std::optional<double> projection_weight; ///< mu; none: 0 (Guarded), 0.1 (Paper)
   std::optional<double> smoothing; ///< metres, sigma_XZ (Paper); none: the bin size
   OdometryNoise odometry;
-  bool is_odometry_stated = false; ///< otherwise Guarded measures it, where scans tell it
+  bool is_odometry_stated = false; ///< else Guarded measures it by planar scans
   std::uint64_t seed = 1;
 };
 
