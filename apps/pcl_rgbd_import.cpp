@@ -309,24 +309,8 @@ checkPlaces(const Tool& tool, const ImportOptions& options, const OutputFolder& 
   tool.requireReportWritable({});
 }
 
-/** \brief The frames whose pose can be read; those of others are told when it is their turn. */
-RgbdSequence
-posedFrames(const RgbdSequence& sequence)
-{
-  RgbdSequence posed = sequence;
-  posed.frames.clear();
-  for (RgbdFrame frame : sequence.frames)
-    try {
-      frame.T_world_camera = loadPose(frame);
-      posed.frames.push_back(std::move(frame));
-    }
-    catch (const InputFileException&) {
-      continue;
-    }
-  return posed;
-}
-
-/** \brief Checks recorded poses, and gives the frames those that they mean.
+/** \brief Checks recorded poses, and gives the frames those that they mean; frames whose pose
+ * cannot be read are told when it is their turn.
  * \return nothing without poses */
 std::optional<PoseConventionReport>
 readPoses(const ImportOptions& options,
@@ -334,21 +318,29 @@ readPoses(const ImportOptions& options,
           const RunControls& controls,
           RgbdSequence& sequence)
 {
-  const RgbdSequence posed = posedFrames(sequence);
-  if (!sequence.has_poses || posed.frames.empty())
+  if (!sequence.has_poses)
+    return {};
+  RgbdSequence posed = sequence;
+  posed.frames.clear();
+  std::vector<RgbdFrame*> read;
+  for (RgbdFrame& frame : sequence.frames)
+    try {
+      frame.T_world_camera = loadPose(frame);
+      posed.frames.push_back(frame);
+      read.push_back(&frame);
+    }
+    catch (const InputFileException&) {
+      continue;
+    }
+  if (posed.frames.empty())
     return {};
   PoseConventionCheck check = options.poses;
   check.setNumberOfThreads(controls.threads);
   check.setProgressCallback(controls.progress);
   check.compute(ObservationSequence(posed, cameras, controls.threads));
   const PoseReading& stated = check.getReport().stated;
-  for (RgbdFrame& frame : sequence.frames)
-    try {
-      frame.T_world_camera = readPose(loadPose(frame), stated);
-    }
-    catch (const InputFileException&) {
-      continue; // told when it is its turn
-    }
+  for (RgbdFrame* const frame : read)
+    frame->T_world_camera = readPose(*frame->T_world_camera, stated);
   return check.getReport();
 }
 

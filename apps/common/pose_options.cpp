@@ -10,19 +10,17 @@ namespace pcl::acmap {
 void
 addPoseReading(CLI::App& app, PoseConventionCheck& check)
 {
-  std::map<std::string, PoseConvention> choices;
-  for (std::size_t i = 0; i < pose_convention_names.size(); ++i)
-    choices[pose_convention_names[i]] = static_cast<PoseConvention>(i);
   addSetter<std::string>(
       app,
       "--pose-convention",
-      [&check, choices](const std::string& name) {
-        const auto found = choices.find(name);
-        if (found == choices.end())
-          throw BadArgument(name +
-                            " is none of camera-to-world, world-to-camera, opengl, "
-                            "opengl-world-to-camera, transposed-rotation");
-        check.setConvention(found->second);
+      [&check](const std::string& name) {
+        std::string others;
+        for (std::size_t i = 0; i < pose_convention_names.size(); ++i) {
+          if (name == pose_convention_names[i])
+            return check.setConvention(static_cast<PoseConvention>(i));
+          others += (i > 0 ? ", " : "") + std::string(pose_convention_names[i]);
+        }
+        throw BadArgument(name + " is none of " + others);
       },
       "What recorded poses are: camera-to-world, world-to-camera, opengl "
       "(camera-to-world, "

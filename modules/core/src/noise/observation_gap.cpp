@@ -139,21 +139,18 @@ measureObservationGap(const PointView& points,
                       double spacing,
                       unsigned threads)
 {
-  constexpr std::size_t most_points = 1 << 22;
+  constexpr std::size_t max_points = 1 << 22;
   constexpr double spacings = 10;
   if (!(spacing > 0) || !sensors.isKnown() || sensors.single())
     return {};
   return withThreads(threads, [&] {
     const double thinning =
-        std::max(1.0, static_cast<double>(points.size()) / most_points);
+        std::max(1.0, static_cast<double>(points.size()) / max_points);
     ObservationGap result;
     result.radius = spacings * spacing * std::sqrt(thinning);
     std::vector<ComparedPlace> places = placesOf(points, sensors);
-    addPoints(points,
-              sensors,
-              PointSample(points.size(), most_points),
-              result.radius,
-              places);
+    addPoints(
+        points, sensors, PointSample(points.size(), max_points), result.radius, places);
     std::vector<double> gaps;
     for (const ComparedPlace& place : places)
       if (const double gap = gapAt(place, result.radius); gap >= 0)

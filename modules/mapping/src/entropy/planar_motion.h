@@ -64,4 +64,18 @@ private:
   PlanarPose pose_;
 };
 
+/** \brief d (action between two poses) / d (x, z, theta of both).
+ * \param[in] from the first pose
+ * \param[in] action from it to the second */
+inline Eigen::Matrix<double, 3, 6>
+partsOfAction(const PlanarPose& from, const PlanarAction& action)
+{
+  const double c = std::cos(from.theta), s = std::sin(from.theta);
+  Eigen::Matrix<double, 3, 6> parts;
+  parts << -c, s, -action.dz, c, -s, 0, //
+      -s, -c, action.dx, s, c, 0,       //
+      0, 0, -1, 0, 0, 1;
+  return parts;
+}
+
 } // namespace pcl::acmap

@@ -220,34 +220,28 @@ rectify(const std::vector<LevelledPoints>& observations,
   std::optional<IndependentEstimate> estimate;
   RectificationSettings taken = settings;
   std::vector<PlanarPose> start = poses;
+  const bool are_scans = areScans(observations);
   if (settings.mode == RectificationMode::Guarded && poses.size() > 1) {
     estimate.emplace(observations, poses, settings.odometry, settings.seed, progress);
-    if (!settings.is_odometry_stated && areScans(observations))
+    if (!settings.is_odometry_stated && are_scans)
       start = mendedOdometry(estimate->odometry(), poses, taken.odometry, report);
-    if (report.outcome == RectificationOutcome::Refused) {
-      measureQuality(observations, poses, report.before);
-      report.after = report.before;
-      report.verdict = estimate->judgeGiven();
-      report.remarks.push_back("the poses are as they came: " + report.reason);
-      tellMoves(poses, poses, report);
-      return poses;
-    }
   }
   const RectificationTask task{observations, taken, progress, report};
   EntropySearch search(task);
   std::vector<PlanarPose> result = poses;
-  report.reason = whatHinders(search, poses, settings.bin_size);
+  const bool is_hopeless = report.outcome == RectificationOutcome::Refused;
+  if (!is_hopeless)
+    report.reason = whatHinders(search, poses, settings.bin_size);
   if (report.reason.empty())
     result = searchAlongAxes(task, search, start);
   else
     measureQuality(observations, poses, report.before);
-  if (report.outcome == RectificationOutcome::Undetermined)
+  if (report.outcome == RectificationOutcome::Undetermined || is_hopeless)
     report.after = report.before;
   if (report.outcome != RectificationOutcome::Rectified)
     result = poses;
   if (estimate)
-    result =
-        judged(*estimate, poses, std::move(result), areScans(observations), report);
+    result = judged(*estimate, poses, std::move(result), are_scans, report);
   if (report.outcome == RectificationOutcome::Undetermined ||
       report.outcome == RectificationOutcome::Refused)
     report.remarks.push_back("the poses are as they came: " + report.reason);

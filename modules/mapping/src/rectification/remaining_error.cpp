@@ -185,11 +185,7 @@ odometryLink(const PlanarPose& from,
              const OdometryNoise& noise)
 {
   const PlanarAction action = actionBetween(from, to);
-  const double c = std::cos(from.theta), s = std::sin(from.theta);
-  Eigen::Matrix<double, 3, 6> rows;
-  rows << -c, s, -action.dz, c, -s, 0, //
-      -s, -c, action.dx, s, c, 0,      //
-      0, 0, -1, 0, 0, 1;
+  const Eigen::Matrix<double, 3, 6> rows = partsOfAction(from, action);
   const double length = lengthSigma(noise, std::hypot(given.dx, given.dz));
   const double turn = turnSigma(noise, std::abs(given.dtheta));
   Link link;

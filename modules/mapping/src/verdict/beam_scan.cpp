@@ -213,12 +213,18 @@ isPlanarScan(const LevelledPoints& seen)
 }
 
 double
-BeamScan::beamAt(const Eigen::Vector2d& place) const
+BeamScan::directionOf(const Eigen::Vector2d& place) const
 {
   const double middle = first_angle + step * static_cast<double>(ranges.size() - 1) / 2;
   const double angle =
       middle + std::remainder(std::atan2(place.x(), place.y()) - middle, 2 * M_PI);
-  const double at = (angle - first_angle) / step;
+  return (angle - first_angle) / step;
+}
+
+double
+BeamScan::beamAt(const Eigen::Vector2d& place) const
+{
+  const double at = directionOf(place);
   return at < 0 || !(at < static_cast<double>(ranges.size() - 1)) ? -1 : at;
 }
 

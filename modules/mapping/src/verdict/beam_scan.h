@@ -25,6 +25,11 @@ struct BeamScan {
   std::vector<int> echo_of;         ///< one a beam, index of its echo; -1: none
   std::vector<Echo> echoes;         ///< in the order of their beams
 
+  /** \brief In the direction of which beam a place lies, with the fraction of the way to the
+   * next one; below 0, or beyond the last beam, outside of the sweep. */
+  double
+  directionOf(const Eigen::Vector2d& place) const;
+
   /** \brief The beam, and the fraction of the way to the next one, at a place; below 0
    * outside of the sweep. */
   double

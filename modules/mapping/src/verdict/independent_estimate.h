@@ -44,11 +44,7 @@ public:
   MapVerdictReport
   judgeGiven() const;
 
-#ifdef ACMAP_HARNESS
-public:
-#else
 private:
-#endif
   std::vector<PlanarPose> given_;
   MeasuredOdometry odometry_;
   PoseDraws chain_; ///< without revisits

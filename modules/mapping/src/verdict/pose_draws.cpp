@@ -24,7 +24,8 @@ public:
     const auto unknowns = static_cast<Eigen::Index>(3 * (poses.size() - 1));
     std::vector<Eigen::Triplet<double>> entries;
     for (const PoseLink& link : links_) {
-      rows_.push_back(rowsOf(link, poses));
+      const PlanarPose& from = poses[link.from];
+      rows_.push_back(partsOfAction(from, actionBetween(from, poses[link.to])));
       information_.push_back(link.covariance.inverse());
       const Rows weighted = information_.back() * rows_.back();
       const Eigen::Matrix<double, 6, 6> part = rows_.back().transpose() * weighted;
@@ -61,20 +62,6 @@ private:
   {
     return 3 * (static_cast<Eigen::Index>(column < 3 ? link.from : link.to) - 1) +
            column % 3;
-  }
-
-  /** d (relative pose) / d (both poses). */
-  static Rows
-  rowsOf(const PoseLink& link, const std::vector<PlanarPose>& poses)
-  {
-    const PlanarPose& from = poses[link.from];
-    const PlanarPose action = relative(from, poses[link.to]);
-    const double c = std::cos(from.theta), s = std::sin(from.theta);
-    Rows rows;
-    rows << -c, s, -action.z, c, -s, 0, //
-        -s, -c, action.x, s, c, 0,      //
-        0, 0, -1, 0, 0, 1;
-    return rows;
   }
 
   const std::vector<PoseLink>& links_;

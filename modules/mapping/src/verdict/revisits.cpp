@@ -7,6 +7,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -120,10 +121,7 @@ public:
         }
         else
           open.push_back(asked[k]);
-        if (is_last && answer.is_ambiguous) {
-          ++found_.ambiguous;
-          found_.ambiguous_at.push_back(asked[k]);
-        }
+        found_.ambiguous += is_last && answer.is_ambiguous;
       }
       asked = std::move(open);
       if (is_new)
@@ -142,15 +140,16 @@ private:
   std::vector<std::size_t>
   runAbout(std::size_t middle) const
   {
+    std::size_t first = middle, end = middle + 1;
+    while (first > 0 && path_[middle] - path_[first - 1] <= half_run)
+      --first;
+    while (end < path_.size() && path_[end] - path_[middle] <= half_run)
+      ++end;
     std::vector<std::size_t> run;
-    for (std::size_t k = 0; k < path_.size(); ++k)
-      if (std::abs(path_[k] - path_[middle]) <= half_run)
-        run.push_back(k);
-    std::vector<std::size_t> thinned;
-    const std::size_t step = (run.size() + scans_of_run - 1) / scans_of_run;
-    for (std::size_t k = 0; k < run.size(); k += step)
-      thinned.push_back(run[k]);
-    return thinned;
+    const std::size_t step = (end - first + scans_of_run - 1) / scans_of_run;
+    for (std::size_t k = first; k < end; k += step)
+      run.push_back(k);
+    return run;
   }
 
   PlanarPose

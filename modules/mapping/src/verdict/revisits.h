@@ -10,8 +10,7 @@ namespace pcl::acmap {
 struct Revisits {
   std::vector<PoseLink> links; ///< two a revisit
   std::size_t used = 0;
-  std::size_t ambiguous = 0;             ///< others fit as well, or distinct places do
-  std::vector<std::size_t> ambiguous_at; ///< scans of these
+  std::size_t ambiguous = 0; ///< others fit as well, or distinct places do
 };
 
 /** \brief Finds revisits by scans, in three rounds, from the certain ones to the others.

@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pcl::acmap {
@@ -27,11 +26,7 @@ nearestLine(const BeamScan& scan,
             double reach)
 {
   const double range = place.norm();
-  const double middle =
-      scan.first_angle + scan.step * static_cast<double>(scan.ranges.size() - 1) / 2;
-  const double angle =
-      middle + std::remainder(std::atan2(place.x(), place.y()) - middle, 2 * M_PI);
-  const double at = (angle - scan.first_angle) / scan.step;
+  const double at = scan.directionOf(place);
   const double half =
       std::asin(std::min(1.0, reach / std::max(range, reach))) / scan.step;
   const int last = static_cast<int>(scan.ranges.size()) - 1;
@@ -169,10 +164,11 @@ matchScans(const BeamScan& i,
   return matchAt(i, j, pose);
 }
 
-ScanMatch
+StepMatch
 matchStep(const BeamScan& i, const BeamScan& j, const PlanarPose& odometry)
 {
   std::vector<ScanMatch> found{matchScans(i, j, odometry), matchAt(i, j, odometry)};
+  const double odometry_merit = found.back().score.merit;
   const Eigen::Vector3d change = differenceOf(found.front().T_i_j, odometry);
   const double length = std::hypot(odometry.x, odometry.z);
   if (found.front().score.quality() < good_share ||
@@ -200,7 +196,7 @@ matchStep(const BeamScan& i, const BeamScan& j, const PlanarPose& odometry)
     weights += weight;
   }
   match.spread /= weights;
-  return match;
+  return {match, odometry_merit};
 }
 
 Eigen::Matrix3d

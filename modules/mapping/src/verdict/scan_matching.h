@@ -39,6 +39,12 @@ relative(const PlanarPose& from, const PlanarPose& to)
   return {action.dx, action.dz, action.dtheta};
 }
 
+/** \brief A scan placed in its predecessor, and how well the odometry's step fits. */
+struct StepMatch {
+  ScanMatch best;
+  double odometry_merit = 0; ///< L at the odometry's step
+};
+
 /** \brief The difference of two placements: x, z, theta. */
 Eigen::Vector3d
 differenceOf(const PlanarPose& a, const PlanarPose& b);
@@ -52,7 +58,7 @@ matchScans(const BeamScan& i,
 
 /** \brief Places a scan in its predecessor, from the step of the odometry and, if they do
  * not fit there, from others about it. */
-ScanMatch
+StepMatch
 matchStep(const BeamScan& i, const BeamScan& j, const PlanarPose& odometry);
 
 /** \brief Covariance of a match.

@@ -61,8 +61,9 @@ matchedSteps(const std::vector<BeamScan>& scans,
     const double length =
         lengthSigma(assumed, std::hypot(step.odometry.x, step.odometry.z));
     step.sigma = {length, length, turnSigma(assumed, std::abs(step.odometry.theta))};
-    step.match = matchStep(scans[t], scans[t + 1], step.odometry);
-    step.odometry_merit = scoreOf(scans[t], scans[t + 1], step.odometry).merit;
+    const StepMatch match = matchStep(scans[t], scans[t + 1], step.odometry);
+    step.match = match.best;
+    step.odometry_merit = match.odometry_merit;
   });
   return steps;
 }

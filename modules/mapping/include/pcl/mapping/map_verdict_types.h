@@ -11,7 +11,8 @@
 
 namespace pcl {
 
-/** \brief What an independent estimate says of a trajectory. \ingroup mapping */
+/** \brief Is a trajectory better than the odometry, by an independent estimate?
+ * \ingroup mapping */
 enum class VerdictOutcome {
   Consistent, ///< it is better than the given one, or as good, beyond reasonable doubt
   Undetermined, ///< nothing proves that it is better
@@ -91,7 +92,7 @@ struct MapVerdictReport : Report {
   double e95 = 0;
   /** \brief Metres, 95 %, of the given trajectory. */
   double e95_given = 0;
-  /** \brief Of the given trajectory alone. */
+  /** \brief Verdict on the given trajectory, without comparison. */
   VerdictOutcome given = VerdictOutcome::Undetermined;
   std::vector<std::string> reasons;        ///< sentences
   std::vector<ContradictedWindow> windows; ///< the worst ones
