@@ -6,6 +6,7 @@
 #include <pcl/core/output_folder.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/texture/compact_map_folder.h>
+#include <pcl/pipeline/surface_names.h>
 #include <pcl/texture/floor_plan.h>
 
 #include <CLI/CLI.hpp>
@@ -84,7 +85,9 @@ run(const Options& options, const RunControls& controls, StageLog& log)
     throw NothingFound(options.planes + ": holds no plane");
   timer.finish("read");
   pcl::CompactMap map = paint(options, surfaces, controls, log);
-  pcl::setRooms(pcl::makeFloorPlan(map), map);
+  const pcl::FloorPlan plan = pcl::makeFloorPlan(map);
+  pcl::setRooms(plan, map);
+  pcl::nameSurfaces(plan, map);
   timer.finish("paint");
   stopIfInterrupted();
   for (const std::string& name :

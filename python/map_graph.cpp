@@ -76,6 +76,15 @@ bindRooms(py::module_& module)
                     "square metres of floor, with what walls and floor enclose")
       .def_readonly(
           "seen_area", &MapRoom::seen_area, "square metres of the map's floor")
+      .def_property_readonly(
+          "name",
+          [](const MapRoom& room) { return room.label.name; },
+          "such as 'Room 1'")
+      .def_property_readonly(
+          "size",
+          memberArray<MapRoom, double>(
+              {2}, [](const MapRoom& room) { return room.label.size.data(); }),
+          "(2,) float64, metres: sides of the smallest rectangle around it")
       .def_readonly("planes",
                     &MapRoom::planes,
                     "floors, walls and ceilings, as ascending indices of planes")
@@ -101,6 +110,10 @@ bindRooms(py::module_& module)
             return nameIn(opening_kind_names, opening.kind);
           },
           "'door' or 'window'")
+      .def_property_readonly(
+          "name",
+          [](const MapOpening& opening) { return opening.label.name; },
+          "such as 'Door between rooms 1 and 2'")
       .def_readonly(
           "planes",
           &MapOpening::planes,

@@ -80,6 +80,23 @@ bindPlanePatches(py::module_& module)
       .def_readonly("rmse", &PlanePatch::rms, "metres, of the support about the plane")
       .def_readonly("area", &PlanePatch::area, "square metres, of the polygons")
       .def_property_readonly(
+          "name",
+          [](const PlanePatch& patch) { return patch.label.name; },
+          "such as 'Wall of room 2'; '' for a plane that is in no map")
+      .def_property_readonly(
+          "role",
+          [](const PlanePatch& patch) {
+            return nameIn(surface_role_names, patch.label.role);
+          },
+          "'floor', 'ceiling', 'wall', 'door leaf', 'furniture' or 'other'")
+      .def_property_readonly(
+          "size",
+          memberArray<PlanePatch, double>(
+              {2}, [](const PlanePatch& patch) { return patch.label.size.data(); }),
+          "(2,) float64, metres: width and height of what is upright, else both sides "
+          "of "
+          "the smallest rectangle around it; NaN if unknown")
+      .def_property_readonly(
           "polygons",
           memberList<PlanePatch, PlanePolygon>(
               [](const PlanePatch& patch) -> const std::vector<PlanePolygon>& {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -89,7 +90,8 @@ struct State {
   {
     if constexpr (std::is_base_of_v<py::object, Value>)
       return value;
-    else if constexpr (std::is_arithmetic_v<Value>)
+    else if constexpr (std::is_arithmetic_v<Value> ||
+                       std::is_same_v<Value, std::string>)
       return py::cast(value);
     else if constexpr (Flat<Value>::size > 0)
       return rowsOf(&value, 1);
@@ -105,7 +107,8 @@ struct State {
   static void
   set(Value& value, const py::handle& state)
   {
-    if constexpr (std::is_arithmetic_v<Value> || std::is_base_of_v<py::object, Value>)
+    if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, std::string> ||
+                  std::is_base_of_v<py::object, Value>)
       value = state.cast<Value>();
     else if constexpr (Flat<Value>::size > 0) {
       const std::vector<Value> values = valuesOf<Value>(state);

@@ -15,33 +15,35 @@ inline constexpr int member_count = 0;
 template <>
 inline constexpr int member_count<BoxFace> = 2;
 template <>
-inline constexpr int member_count<BoxPatch> = 8;
+inline constexpr int member_count<BoxPatch> = 9;
 template <>
-inline constexpr int member_count<CompactMap> = 14;
+inline constexpr int member_count<CylinderPatch> = 17;
 template <>
-inline constexpr int member_count<CylinderPatch> = 16;
+inline constexpr int member_count<MapAccuracy> = 3;
 template <>
 inline constexpr int member_count<MapEdge> = 4;
 template <>
 inline constexpr int member_count<MapFace> = 4;
 template <>
-inline constexpr int member_count<MapOpening> = 7;
+inline constexpr int member_count<MapOpening> = 8;
 template <>
-inline constexpr int member_count<MapRoom> = 5;
+inline constexpr int member_count<MapRoom> = 6;
 template <>
 inline constexpr int member_count<MapTopology> = 3;
 template <>
-inline constexpr int member_count<PlanePatch> = 11;
+inline constexpr int member_count<PlanePatch> = 12;
 template <>
 inline constexpr int member_count<PlanePolygon> = 3;
 template <>
 inline constexpr int member_count<PolygonEdge> = 2;
 template <>
-inline constexpr int member_count<RecessPatch> = 9;
+inline constexpr int member_count<RecessPatch> = 10;
 template <>
 inline constexpr int member_count<ReportedMap> = 2;
 template <>
 inline constexpr int member_count<RgbImage> = 3;
+template <>
+inline constexpr int member_count<SurfaceLabel> = 3;
 template <>
 inline constexpr int member_count<Trajectory> = 2;
 
@@ -63,13 +65,9 @@ membersOf(Struct& value)
     auto& [a, b, c, d] = value;
     return std::tie(a, b, c, d);
   }
-  else if constexpr (count == 5) {
-    auto& [a, b, c, d, e] = value;
-    return std::tie(a, b, c, d, e);
-  }
-  else if constexpr (count == 7) {
-    auto& [a, b, c, d, e, f, g] = value;
-    return std::tie(a, b, c, d, e, f, g);
+  else if constexpr (count == 6) {
+    auto& [a, b, c, d, e, f] = value;
+    return std::tie(a, b, c, d, e, f);
   }
   else if constexpr (count == 8) {
     auto& [a, b, c, d, e, f, g, h] = value;
@@ -79,18 +77,27 @@ membersOf(Struct& value)
     auto& [a, b, c, d, e, f, g, h, i] = value;
     return std::tie(a, b, c, d, e, f, g, h, i);
   }
-  else if constexpr (count == 11) {
-    auto& [a, b, c, d, e, f, g, h, i, j, k] = value;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k);
+  else if constexpr (count == 10) {
+    auto& [a, b, c, d, e, f, g, h, i, j] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i, j);
   }
-  else if constexpr (count == 14) {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = value;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
+  else if constexpr (count == 12) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
   }
   else {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = value;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
   }
+}
+
+/** \brief Those that are read again from files. */
+inline auto
+membersOf(CompactMap& map)
+{
+  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, details] = map;
+  (void)details;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
 }
 
 /** \brief Those that Python has; the others are places in files, which saving sets. */

@@ -94,6 +94,11 @@ addMapOptions(Tool& tool, ChainOptions& options)
   inGroup(tool, map_group, [&] {
     addPlaneChoices(tool, options.planes);
     addTextureOptions(tool, options.texture);
+    app.add_flag_callback(
+        "--no-details",
+        [&options] { options.max_detail_bytes = 0; },
+        "Leave out what lies on no surface: otherwise map.glb and map.html have its "
+        "mesh, simplified to at most 1 MB");
     app.add_option("--max-points",
                    options.max_points,
                    "Points that the map is made of, at most: of more only each second, "
@@ -185,6 +190,7 @@ takePaperWay(Tool& tool, ChainOptions& options)
   options.egomotion.stage.setPaperMode(true);
   options.rectification.stage.setMode(RectificationMode::Paper);
   options.texture.stage.setPaperMode(true);
+  options.max_detail_bytes = 0;
 }
 
 void

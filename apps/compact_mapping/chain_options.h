@@ -8,6 +8,7 @@
 #include "texturing/texture_stage.h"
 #include "visual_egomotion/egomotion_options.h"
 
+#include <pcl/pipeline/detail_mesh.h>
 #include <pcl/pipeline/pose_convention_check.h>
 #include <pcl/pipeline/ranks.h>
 
@@ -41,6 +42,7 @@ struct ChainOptions {
   PoseConventionCheck poses; ///< of recorded poses
   EgomotionOptions egomotion;
   RectificationOptions rectification;
+  std::size_t max_detail_bytes = default_detail_bytes;
   PlaneOptions planes;
   TextureOptions texture;
 };

@@ -113,6 +113,7 @@ settingsOf(const ChainOptions& options, unsigned threads)
   settings.merging = mergingOf(options, threads);
   settings.planes = mappingOf(options.planes, threads);
   settings.texturing = options.texture.stage;
+  settings.max_detail_bytes = options.max_detail_bytes;
   return settings;
 }
 

@@ -2,8 +2,10 @@
 
 #include "drawn_apart.h"
 
+#include <pcl/core/fields.h>
 #include <pcl/core/impl/map_shift.h>
 #include <pcl/core/map_up.h>
+#include <pcl/core/surface_sentence.h>
 #include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/texture/floor_plan.h>
 #include <pcl/texture/map_ifc.h>
@@ -117,18 +119,43 @@ filesOf(const OutputFolder& folder)
 
 /** \brief Reports the planes in the order of map.json, which has more details. */
 nlohmann::ordered_json
-jsonOf(const std::vector<PlanePatch>& planes)
+jsonOfPlanes(const CompactMap& map)
 {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (std::size_t id = 0; id < planes.size(); ++id) {
-    const Eigen::Vector4d& n = planes[id].coefficients;
+  for (std::size_t id = 0; id < map.planes.size(); ++id) {
+    const PlanePatch& plane = map.planes[id];
+    const Eigen::Vector4d& n = plane.coefficients;
     list.push_back({{"id", id},
+                    {"name", plane.label.name},
+                    {"role", nameIn(surface_role_names, plane.label.role)},
+                    {"size", {plane.label.size.x(), plane.label.size.y()}},
+                    {"description", describePlane(map, id)},
                     {"coefficients", {n[0], n[1], n[2], n[3]}},
-                    {"area", planes[id].area},
-                    {"rmse", planes[id].rms},
-                    {"support", planes[id].support}});
+                    {"area", plane.area},
+                    {"rmse", plane.rms},
+                    {"support", plane.support}});
   }
   return list;
+}
+
+/** \brief Reports and tells the rooms. */
+void
+tellRooms(const CompactMap& map, StageLog& log)
+{
+  constexpr std::size_t max_told = 12;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (std::size_t id = 0; id < map.rooms.size(); ++id) {
+    const MapRoom& room = map.rooms[id];
+    list.push_back({{"name", room.label.name},
+                    {"description", describeRoom(map, id)},
+                    {"area", room.area},
+                    {"size", {room.label.size.x(), room.label.size.y()}}});
+    if (id < max_told)
+      log.tell("room", describeRoom(map, id));
+  }
+  if (map.rooms.size() > max_told)
+    log.tell("rooms", std::to_string(map.rooms.size()) + ", all in report.json");
+  log.details["rooms"] = std::move(list);
 }
 
 /** \brief The same for the cylinders. */
@@ -201,7 +228,8 @@ tellMap(const ChainOptions& options,
         StageLog& log)
 {
   tellPlanes(found, log);
-  log.details["planes"] = jsonOf(map.planes);
+  log.details["planes"] = jsonOfPlanes(map);
+  tellRooms(map, log);
   if (options.planes.findsPrimitives()) {
     log.details["cylinders"] = jsonOf(map.cylinders);
     log.details["boxes"] = jsonOfSizes(map.boxes);

@@ -318,6 +318,7 @@ planesOf(const Json& details)
   for (const Json& plane : listOf(details, "planes")) {
     const auto rmse = numberIn(fieldOf(plane, "rmse"));
     planes.push_back({{"id", numberIn(fieldOf(plane, "id")).value_or(planes.size())},
+                      {"description", fieldOf(plane, "description")},
                       {"equation", equationOf(plane)},
                       {"area", fieldOf(plane, "area")},
                       {"rmse_mm", rmse ? Json(1000 * *rmse) : nothing},
@@ -408,7 +409,7 @@ reportPage(const Json& report, const std::string& picture_folder)
   values.update(
       {{"details", details},
        {"share_on_planes", quotientOf(details, "points_on_planes", "finite_points")},
-       {"compactness", quotientOf(details, "bytes/raw", "bytes/map.glb")},
+       {"compactness", quotientOf(details, "bytes/raw", "bytes/textured")},
        {"geometry_compactness", quotientOf(details, "bytes/raw", "bytes/geometry")},
        {"ate_ratio", quotientOf(values, "truth/ate_after_m", "truth/ate_before_m")},
        {"warnings", warningsOf(values)},

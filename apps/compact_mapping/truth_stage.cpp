@@ -48,7 +48,7 @@ compareMap(const ChainOptions& options,
       map, trajectoryOf(*made.observations, made.before, map.trajectory, truth), truth);
   const auto& bytes = told.details.at("bytes");
   figures.compactness =
-      bytes.at("raw").get<double>() / std::max(bytes.at("map.glb").get<double>(), 1.0);
+      bytes.at("raw").get<double>() / std::max(bytes.at("textured").get<double>(), 1.0);
   return figures;
 }
 

@@ -6,6 +6,7 @@
 
 #include <pcl/core/impl/length_remarks.h>
 #include <pcl/pipeline/cost_callback.h>
+#include <pcl/pipeline/detail_mesh.h>
 #include <pcl/point_types.h>
 #include <pcl/texture/plane_texturing.h>
 
@@ -191,7 +192,9 @@ tellCompactness(std::size_t points,
   namespace fs = std::filesystem;
   constexpr std::size_t bytes_of_point = 16; // x y z rgb
   const std::size_t raw = bytes_of_point * points;
-  nlohmann::ordered_json bytes = {{"raw", raw}, {"geometry", geometryBytes(map)}};
+  nlohmann::ordered_json bytes = {{"raw", raw},
+                                  {"geometry", geometryBytes(map)},
+                                  {"details", detailBytes(map.details)}};
   for (const char* name : {"map.glb", "map.json"}) {
     std::error_code error;
     const auto size = fs::file_size(fs::path(folder) / name, error);
@@ -201,9 +204,11 @@ tellCompactness(std::size_t points,
     const auto size = bytes[of].get<std::size_t>();
     return std::to_string(raw / std::max<std::size_t>(size, 1)) + " : 1";
   };
+  bytes["textured"] = bytes["map.glb"].get<std::size_t>() - detailBytes(map.details);
   log.tell("compactness",
-           ratio("map.glb") + " with texture, " + ratio("geometry") +
-               " geometry alone, " + ratio("map.json") + " map.json");
+           ratio("textured") + " with texture, " + ratio("map.glb") +
+               " with details, " + ratio("geometry") + " geometry alone, " +
+               ratio("map.json") + " map.json");
   log.details["bytes"] = std::move(bytes);
 }
 

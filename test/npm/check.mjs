@@ -31,7 +31,7 @@ const model = api.OpenModel(new Uint8Array(readFileSync(join(folder, 'map.ifc'))
 expect(api.GetModelSchema(model) === 'IFC4', 'map.ifc: schema ' + api.GetModelSchema(model));
 
 const count = type => api.GetLineIDsWithType(model, type).size();
-const elements = [ifc.IFCWALL, ifc.IFCSLAB, ifc.IFCCOVERING, ifc.IFCBUILDINGELEMENTPROXY, ifc.IFCDOOR, ifc.IFCCOLUMN];
+const elements = [ifc.IFCWALL, ifc.IFCSLAB, ifc.IFCCOVERING, ifc.IFCBUILDINGELEMENTPROXY, ifc.IFCDOOR, ifc.IFCCOLUMN, ifc.IFCFURNITURE];
 expect(count(ifc.IFCSPACE) === (map.rooms || []).length, `map.ifc: ${count(ifc.IFCSPACE)} spaces`);
 expect(count(ifc.IFCOPENINGELEMENT) <= (map.openings || []).length, `map.ifc: ${count(ifc.IFCOPENINGELEMENT)} openings of ${(map.openings || []).length}`);
 expect(count(ifc.IFCWALL) > 0, `map.ifc: ${count(ifc.IFCWALL)} walls, ${count(ifc.IFCSLAB)} slabs, ${count(ifc.IFCCOVERING)} ceilings, ` +
@@ -69,7 +69,7 @@ const near = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 const ids = api.GetLineIDsWithType(model, ifc.IFCWALL);
 for (let i = 0; i < ids.size(); ++i) {
   const wall = api.GetLine(model, ids.get(i), true);
-  const plane = map.planes[Number(wall.Name.value.replace('Plane ', ''))];
+  const plane = map.planes[Number(wall.Tag.value.replace('Plane ', ''))];
   const corners = plane.polygons.flatMap(p => [p.outer, ...(p.holes || [])]).flat();
   const list = wall.Representation.Representations[0].Items[0].Coordinates.CoordList.map(row => row.map(x => x.value));
   turns.forEach((turn, t) => list.forEach((p, k) => { farthest[t] = Math.max(farthest[t], near(p, turn(corners[k]))); }));

@@ -84,6 +84,7 @@ CompactMapping::setMode(MappingMode mode)
   settings_.planes.setComputeCylinders(!is_paper);
   settings_.planes.setComputeBoxes(!is_paper);
   settings_.texturing.setPaperMode(is_paper);
+  settings_.max_detail_bytes = is_paper ? 0 : default_detail_bytes;
 }
 
 void

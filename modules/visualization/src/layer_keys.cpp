@@ -3,6 +3,7 @@
 #include "layer_actors.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/surface_sentence.h>
 #include <pcl/visualization/plane_card.h>
 
 #include <vtkObjectFactory.h>
@@ -213,8 +214,10 @@ LayerKeys::showCard()
     const CompactMap& map = scene_->map;
     const std::size_t planes = map.planes.size();
     std::string card =
-        *plane < planes ? planeCard(map.planes[*plane], *plane)
-                        : cylinderCard(map.cylinders[*plane - planes], *plane - planes);
+        *plane < planes
+            ? describePlane(map, *plane) + "\n" + planeCard(map.planes[*plane], *plane)
+            : describeCylinder(map, *plane - planes) + "\n" +
+                  cylinderCard(map.cylinders[*plane - planes], *plane - planes);
     for (std::size_t box = 0; box < map.boxes.size(); ++box)
       if (isSideOf(map.boxes[box], *plane))
         card += boxCard(map.boxes[box], box);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <functional>
 
 namespace pcl {
@@ -86,38 +87,55 @@ jsonOf(const std::vector<PlanePolygon>& polygons)
   return list;
 }
 
+/** Adds what people call a part, if it is named.
+ * \param[in] has_role false: its kind tells what it is */
+void
+addLabel(const SurfaceLabel& label, bool has_role, Json& json)
+{
+  if (label.name.empty())
+    return;
+  json["name"] = label.name;
+  if (has_role)
+    json["role"] = acmap::nameIn(acmap::surface_role_names, label.role);
+  json["size"] = {label.size.x(), label.size.y()};
+}
+
 Json
 jsonOf(const PlanePatch& plane, std::size_t id)
 {
-  return {{"id", id},
-          {"coefficients", jsonOf(plane.coefficients)},
-          {"center", jsonOf(plane.center)},
-          {"axes", {jsonOf(plane.axis_u), jsonOf(plane.axis_v)}},
-          {"covariance", jsonOf(plane.covariance)},
-          {"support", plane.support},
-          {"effective_support", plane.effective_support},
-          {"rmse", plane.rms},
-          {"area", plane.area},
-          {"polygons", jsonOf(plane.polygons)}};
+  Json json = {{"id", id},
+               {"coefficients", jsonOf(plane.coefficients)},
+               {"center", jsonOf(plane.center)},
+               {"axes", {jsonOf(plane.axis_u), jsonOf(plane.axis_v)}},
+               {"covariance", jsonOf(plane.covariance)},
+               {"support", plane.support},
+               {"effective_support", plane.effective_support},
+               {"rmse", plane.rms},
+               {"area", plane.area},
+               {"polygons", jsonOf(plane.polygons)}};
+  addLabel(plane.label, true, json);
+  return json;
 }
 
 Json
 jsonOf(const CylinderPatch& cylinder, std::size_t id)
 {
-  return {{"id", id},
-          {"axis_point", jsonOf(cylinder.axis_point)},
-          {"axis_direction", jsonOf(cylinder.axis_direction)},
-          {"axes", {jsonOf(cylinder.axis_u), jsonOf(cylinder.axis_v)}},
-          {"radius", cylinder.radius},
-          {"extent", {cylinder.low, cylinder.high}},
-          {"arc", cylinder.arc},
-          {"hollow", cylinder.is_hollow},
-          {"covariance", jsonOf(cylinder.covariance)},
-          {"support", cylinder.support},
-          {"rmse", cylinder.rms},
-          {"area", cylinder.area},
-          {"template", cylinder.template_id},
-          {"saved_bits", cylinder.saved_bits}};
+  Json json = {{"id", id},
+               {"axis_point", jsonOf(cylinder.axis_point)},
+               {"axis_direction", jsonOf(cylinder.axis_direction)},
+               {"axes", {jsonOf(cylinder.axis_u), jsonOf(cylinder.axis_v)}},
+               {"radius", cylinder.radius},
+               {"extent", {cylinder.low, cylinder.high}},
+               {"arc", cylinder.arc},
+               {"hollow", cylinder.is_hollow},
+               {"covariance", jsonOf(cylinder.covariance)},
+               {"support", cylinder.support},
+               {"rmse", cylinder.rms},
+               {"area", cylinder.area},
+               {"template", cylinder.template_id},
+               {"saved_bits", cylinder.saved_bits}};
+  addLabel(cylinder.label, true, json);
+  return json;
 }
 
 Json
@@ -153,22 +171,27 @@ jsonOf(const BoxPatch& box, std::size_t id)
                {"saved_bits", box.saved_bits}};
   if (!box.slant.isZero(0))
     json["slant"] = jsonOf(box.slant);
+  if (!box.name.empty())
+    json["name"] = box.name;
   return json;
 }
 
 Json
 jsonOf(const RecessPatch& recess, std::size_t id)
 {
-  return {{"id", id},
-          {"center", jsonOf(recess.center)},
-          {"axes", jsonOfAxes(recess.axes)},
-          {"size", jsonOf(recess.size)},
-          {"wall", recess.wall},
-          {"leaf", recess.leaf},
-          {"reaches_floor", recess.reaches_floor},
-          {"template", recess.template_id},
-          {"covariance", jsonOf(recess.covariance)},
-          {"saved_bits", recess.saved_bits}};
+  Json json = {{"id", id},
+               {"center", jsonOf(recess.center)},
+               {"axes", jsonOfAxes(recess.axes)},
+               {"size", jsonOf(recess.size)},
+               {"wall", recess.wall},
+               {"leaf", recess.leaf},
+               {"reaches_floor", recess.reaches_floor},
+               {"template", recess.template_id},
+               {"covariance", jsonOf(recess.covariance)},
+               {"saved_bits", recess.saved_bits}};
+  if (!recess.name.empty())
+    json["name"] = recess.name;
+  return json;
 }
 
 /** Adds size and places of a picture to its description. */
@@ -269,23 +292,27 @@ jsonOf(const MapFace& face)
 Json
 jsonOf(const MapRoom& room)
 {
-  return {{"center", jsonOf(room.center)},
-          {"area", room.area},
-          {"seen_area", room.seen_area},
-          {"planes", room.planes},
-          {"openings", room.openings}};
+  Json json = {{"center", jsonOf(room.center)},
+               {"area", room.area},
+               {"seen_area", room.seen_area},
+               {"planes", room.planes},
+               {"openings", room.openings}};
+  addLabel(room.label, false, json);
+  return json;
 }
 
 Json
 jsonOf(const MapOpening& opening)
 {
-  return {{"from", jsonOf(opening.from)},
-          {"to", jsonOf(opening.to)},
-          {"bottom", opening.bottom},
-          {"top", opening.top},
-          {"kind", acmap::nameIn(acmap::opening_kind_names, opening.kind)},
-          {"planes", jsonOfPlanes(opening.planes)},
-          {"rooms", opening.rooms}};
+  Json json = {{"from", jsonOf(opening.from)},
+               {"to", jsonOf(opening.to)},
+               {"bottom", opening.bottom},
+               {"top", opening.top},
+               {"kind", acmap::nameIn(acmap::opening_kind_names, opening.kind)},
+               {"planes", jsonOfPlanes(opening.planes)},
+               {"rooms", opening.rooms}};
+  addLabel(opening.label, false, json);
+  return json;
 }
 
 using Write = std::function<void(const std::string&)>;
@@ -363,6 +390,11 @@ acmap::writeMap(const CompactMap& map, const Write& write)
   if (map.up.isZero(0) && !map.assumed_up.isZero(0))
     write(",\"assumed_up\":" + jsonOf(map.assumed_up).dump());
   write(",\"shift\":" + jsonOf(map.shift).dump());
+  if (const MapAccuracy& accuracy = map.accuracy; std::isfinite(accuracy.pose))
+    write(",\"accuracy\":" + Json{{"pose", accuracy.pose},
+                                  {"drift", accuracy.drift},
+                                  {"scale", accuracy.scale}}
+                                 .dump());
   write(",\"planes\":[");
   writeLines(write, map.planes.size(), [&](std::size_t id) {
     Json plane = jsonOf(map.planes[id], id);

@@ -108,6 +108,41 @@ covarianceOf(const JsonCursor& json)
   return matrix;
 }
 
+/** \param[in] names of the kinds, in their order
+ * \param[in] fault after the name of a value that is none of them */
+template <typename Kind, std::size_t count>
+Kind
+kindOf(const JsonCursor& json,
+       const std::array<const char*, count>& names,
+       const char* fault)
+{
+  const auto kind = std::find(names.begin(), names.end(), json.text());
+  if (kind == names.end())
+    json.fail(fault);
+  return static_cast<Kind>(kind - names.begin());
+}
+
+/** Files of before have no names. */
+SurfaceLabel
+labelOf(const JsonCursor& json)
+{
+  SurfaceLabel label;
+  if (!json.has("name"))
+    return label;
+  label.name = json.at("name").text();
+  if (json.has("role"))
+    label.role = kindOf<SurfaceRole>(
+        json.at("role"),
+        acmap::surface_role_names,
+        "is no role: other, floor, ceiling, wall, door leaf or furniture");
+  if (json.has("size")) {
+    const JsonCursor size = json.at("size");
+    size.requireSize(2);
+    label.size = {size[0].numberOrNan(), size[1].numberOrNan()};
+  }
+  return label;
+}
+
 constexpr auto max_integer = std::numeric_limits<std::int64_t>::max();
 
 /** \param[in] what the items of the list, in the plural */
@@ -140,6 +175,7 @@ planeOf(const JsonCursor& json, std::size_t number)
   plane.polygons = polygonsOf(json.at("polygons"));
   if (json.has("proposed"))
     plane.proposed = polygonsOf(json.at("proposed"));
+  plane.label = labelOf(json);
   return plane;
 }
 
@@ -174,6 +210,7 @@ cylinderOf(const JsonCursor& json, std::size_t number)
   cylinder.area = json.at("area").number();
   cylinder.template_id = templateOf(json.at("template"));
   cylinder.saved_bits = json.at("saved_bits").number();
+  cylinder.label = labelOf(json);
   return cylinder;
 }
 
@@ -248,20 +285,6 @@ observationsOf(const JsonCursor& json, std::size_t poses)
     numbers.push_back(number);
   }
   return numbers;
-}
-
-/** \param[in] names of the kinds, in their order
- * \param[in] fault after the name of a value that is none of them */
-template <typename Kind, std::size_t count>
-Kind
-kindOf(const JsonCursor& json,
-       const std::array<const char*, count>& names,
-       const char* fault)
-{
-  const auto kind = std::find(names.begin(), names.end(), json.text());
-  if (kind == names.end())
-    json.fail(fault);
-  return static_cast<Kind>(kind - names.begin());
 }
 
 /** The plane of an edge or an opening, and the other one or -1.
@@ -376,6 +399,8 @@ readBlock(const JsonCursor& json, Patch& patch)
   patch.template_id = templateOf(json.at("template"));
   patch.covariance = covarianceOf<9>(json.at("covariance"));
   patch.saved_bits = json.at("saved_bits").number();
+  if (json.has("name"))
+    patch.name = json.at("name").text();
 }
 
 BoxPatch
@@ -415,6 +440,7 @@ roomOf(const JsonCursor& json, std::size_t planes, std::size_t openings)
   room.seen_area = json.at("seen_area").number();
   room.planes = indicesOf(json.at("planes"), planes);
   room.openings = indicesOf(json.at("openings"), openings);
+  room.label = labelOf(json);
   return room;
 }
 
@@ -435,6 +461,7 @@ openingOf(const JsonCursor& json, std::size_t planes, std::size_t rooms)
   for (std::size_t k = 0; k < 2; ++k)
     opening.rooms[k] = static_cast<std::int32_t>(
         sides[k].integer(-1, static_cast<std::int64_t>(rooms) - 1));
+  opening.label = labelOf(json);
   return opening;
 }
 
@@ -488,6 +515,12 @@ acmap::readMap(const std::string& name, ByteSource& source)
     }
   if (file.has("shift"))
     map.shift = file.at("shift").vector<3>();
+  if (file.has("accuracy")) {
+    const JsonCursor accuracy = file.at("accuracy");
+    map.accuracy.pose = accuracy.at("pose").numberOrNan();
+    map.accuracy.drift = accuracy.at("drift").numberOrNan();
+    map.accuracy.scale = accuracy.at("scale").numberOrNan();
+  }
   map.observations.resize(planes.size());
   std::int64_t texels = 0;
   const auto addTexels = [&](const TexturePicture& picture, const JsonCursor& at) {

@@ -1,9 +1,11 @@
 #include "chain/chain_stages.h"
 #include "part_of_progress.h"
 
+#include <pcl/pipeline/pose_accuracy.h>
 #include <pcl/pipeline/ranked_work.h>
 #include <pcl/pipeline/sequence_adjustment.h>
 #include <pcl/pipeline/sequence_alignment.h>
+#include <pcl/pipeline/surface_names.h>
 #include <pcl/texture/floor_plan.h>
 
 #include <algorithm>
@@ -322,6 +324,10 @@ runPlanes(ChainState& state,
     planes.setCostCallback(run.cost);
   planes.setProgressCallback(run.progress);
   planes.compute(state.planes);
+  state.accuracy = measurePoseAccuracy(state.cloud.rows,
+                                       state.planes.labels,
+                                       state.planes.planes,
+                                       state.cloud.viewpoints);
   state.report.planes = planes.getReport();
   addRemarks(state.stage, state.report.planes.remarks);
   timer.finish("planes");
@@ -385,6 +391,7 @@ runTexturing(ChainState& state,
   texturing.texture(map);
   state.report.texture = texturing.getReport();
   addRemarks(state.stage, state.report.texture.remarks);
+  map.details = makeDetails(found, settings.max_detail_bytes);
   map.boxes = found.boxes;
   map.recesses = found.recesses;
   if (state.observations) {
@@ -397,7 +404,10 @@ runTexturing(ChainState& state,
     map.assumed_up = found.assumed_up.cast<double>();
     map.shift = state.cloud.file->shift;
   }
-  setRooms(makeFloorPlan(map), map);
+  setAccuracy(state.accuracy, map);
+  const FloorPlan plan = makeFloorPlan(map);
+  setRooms(plan, map);
+  nameSurfaces(plan, map);
   if (state.work) {
     state.report.ranks = run.ranks->size();
     state.report.rank_messages = run.ranks->getNumberOfMessages();

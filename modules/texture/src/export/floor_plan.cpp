@@ -23,8 +23,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double level_cosine = 0.98;  // 11 degrees
-constexpr double upright_cosine = 0.2; // the same from the vertical
+using acmap::level_cosine;
+using acmap::upright_cosine;
 
 constexpr double thickest_wall = 0.6, widest_opening = 4; // metres
 

@@ -4,6 +4,8 @@
 
 #include <tiny_gltf.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -107,6 +109,8 @@ public:
     appendNode("map", 0);
     if (const PageMesh mesh = meshOf(proposed, middle_); !mesh.corners.empty())
       appendProposed(mesh);
+    if (!map.details.mesh.triangles.empty())
+      appendDetails(map.details);
     appendScene();
   }
 
@@ -164,6 +168,51 @@ private:
     model_.meshes.emplace_back();
     model_.meshes.back().primitives.push_back(primitive);
     appendNode(name, static_cast<int>(model_.meshes.size()) - 1);
+  }
+
+  /** The colours of vertices are linear in glTF, and multiply the reflected colour only. */
+  void
+  appendDetails(const MapDetails& details)
+  {
+    tinygltf::Material material;
+    material.name = "details";
+    material.doubleSided = true;
+    material.pbrMetallicRoughness.metallicFactor = 0;
+    material.pbrMetallicRoughness.roughnessFactor = 1;
+    model_.materials.push_back(material);
+    PageMesh mesh;
+    for (const Eigen::Vector3f& point : details.vertices)
+      mesh.points.emplace_back((point.cast<double>() - middle_).cast<float>());
+    for (const TriangleMesh::Triangle& triangle : details.mesh.triangles)
+      mesh.corners.insert(mesh.corners.end(), triangle.begin(), triangle.end());
+    std::vector<std::array<std::uint16_t, 4>> colors;
+    for (const auto& [red, green, blue] : details.colors)
+      colors.push_back({linear(red), linear(green), linear(blue), opaque});
+    tinygltf::Primitive primitive;
+    primitive.mode = TINYGLTF_MODE_TRIANGLES;
+    primitive.attributes["POSITION"] = appendPoints(mesh.points);
+    primitive.attributes["COLOR_0"] =
+        appendAccessor(colors.data(),
+                       colors.size(),
+                       TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                       TINYGLTF_TYPE_VEC4);
+    model_.accessors.back().normalized = true;
+    primitive.indices = appendCorners(mesh);
+    primitive.material = static_cast<int>(model_.materials.size()) - 1;
+    model_.meshes.emplace_back();
+    model_.meshes.back().primitives.push_back(primitive);
+    appendNode(material.name, static_cast<int>(model_.meshes.size()) - 1);
+  }
+
+  /** A level of sRGB, with the exposure of the map, as a linear share of 65535. */
+  std::uint16_t
+  linear(std::uint8_t level) const
+  {
+    const double share = std::min(map_.exposure * level / 255, 1.0);
+    // IEC 61966-2-1
+    const double light =
+        share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+    return static_cast<std::uint16_t>(std::lround(light * opaque));
   }
 
   int
@@ -295,6 +344,8 @@ private:
       model_.scenes[0].nodes.push_back(static_cast<int>(node));
     model_.defaultScene = 0;
   }
+
+  static constexpr std::uint16_t opaque = std::numeric_limits<std::uint16_t>::max();
 
   const CompactMap& map_;
   int quality_;

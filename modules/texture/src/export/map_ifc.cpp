@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,8 +21,6 @@ namespace pcl {
 
 namespace acmap {
 namespace {
-
-constexpr double level_cosine = 0.98, upright_cosine = 0.2;
 
 /** \brief An identifier of 128 bits that depends on a name only, in the 22 digits of IFC. */
 std::string
@@ -238,34 +237,39 @@ private:
   }
 
   /** \brief Adds a product of the storey.
-   * \param[in] more values after its representation and a name */
+   * \param[in] id from which its identifiers follow; its tag
+   * \param[in] name that is shown; empty: the id
+   * \param[in] more values after its representation and its tag */
   template <typename... Values>
   StepReference
   addProduct(const char* type,
+             const std::string& id,
              const std::string& name,
              StepReference surface,
              const Values&... more)
   {
     return file_.add(type,
-                     guidOf(name),
+                     guidOf(id),
                      nullptr,
-                     name,
+                     name.empty() ? id : name,
                      nullptr,
                      nullptr,
                      addPlacement(place_),
                      surface,
-                     nullptr,
+                     id,
                      more...);
   }
 
   /** \brief Adds an element that has a predefined type. */
   StepReference
   addElement(const char* type,
+             const std::string& id,
              const std::string& name,
              const ModelShape& shape,
              const char* predefined = "NOTDEFINED")
   {
-    elements_.push_back(addProduct(type, name, addShape(shape), StepEnum{predefined}));
+    elements_.push_back(
+        addProduct(type, id, name, addShape(shape), StepEnum{predefined}));
     return elements_.back();
   }
 
@@ -324,7 +328,10 @@ private:
         }
       for (const PlanePatch& side : freeSidesOf(map_.boxes[i]))
         addTriangles(side, shape);
-      addElement("IFCBUILDINGELEMENTPROXY", "Box " + std::to_string(i), shape);
+      addElement("IFCBUILDINGELEMENTPROXY",
+                 "Box " + std::to_string(i),
+                 map_.boxes[i].name,
+                 shape);
     }
   }
 
@@ -340,6 +347,7 @@ private:
                              std::abs(cylinder.axis_direction.dot(up_)) > level_cosine;
       addElement(is_column ? "IFCCOLUMN" : "IFCBUILDINGELEMENTPROXY",
                  "Cylinder " + std::to_string(i),
+                 cylinder.label.name,
                  shape);
     }
   }
@@ -357,6 +365,7 @@ private:
       addTriangles(map_.planes[static_cast<std::size_t>(recess.leaf)], shape);
       elements_.push_back(addProduct("IFCDOOR",
                                      name,
+                                     recess.name,
                                      addShape(shape),
                                      recess.size[1],
                                      recess.size[0],
@@ -382,29 +391,52 @@ private:
   void
   addPlanes()
   {
-    constexpr double floor_range = 0.3; // metres
     walls_.resize(map_.planes.size());
     for (std::size_t id = 0; id < map_.planes.size(); ++id) {
       if (used_.count(static_cast<std::int32_t>(id)) > 0)
         continue;
       const PlanePatch& plane = map_.planes[id];
-      const double level = levelOf(plane);
-      const bool is_floor = level > level_cosine &&
-                            std::abs(plane.center.dot(up_) - floor_) <= floor_range;
       const std::string name = "Plane " + std::to_string(id);
       ModelShape shape;
       addTriangles(plane, shape);
-      StepReference element;
-      if (std::abs(level) < upright_cosine)
-        walls_[id] = element = addElement("IFCWALL", name, shape);
-      else if (is_floor)
-        element = addElement("IFCSLAB", name, shape, "FLOOR");
-      else if (level < -level_cosine)
-        element = addElement("IFCCOVERING", name, shape, "CEILING");
-      else
-        element = addElement("IFCBUILDINGELEMENTPROXY", name, shape);
+      const auto [type, predefined] = elementOf(plane);
+      const StepReference element =
+          addElement(type, name, plane.label.name, shape, predefined);
+      if (std::string_view(type) == "IFCWALL")
+        walls_[id] = element;
       addPlaneProperties(element, name, id);
     }
+  }
+
+  /** \brief Type and predefined type of the element that a plane is: by its role, or by its
+   * direction if it is not named. */
+  std::pair<const char*, const char*>
+  elementOf(const PlanePatch& plane) const
+  {
+    constexpr double floor_range = 0.3; // metres
+    const double level = levelOf(plane);
+    SurfaceRole role = plane.label.role;
+    if (plane.label.name.empty())
+      role = std::abs(level) < upright_cosine ? SurfaceRole::Wall
+             : level > level_cosine &&
+                     std::abs(plane.center.dot(up_) - floor_) <= floor_range
+                 ? SurfaceRole::Floor
+             : level < -level_cosine ? SurfaceRole::Ceiling
+                                     : SurfaceRole::Other;
+    switch (role) {
+    case SurfaceRole::Wall:
+      return {"IFCWALL", "NOTDEFINED"};
+    case SurfaceRole::Floor:
+      return {"IFCSLAB", "FLOOR"};
+    case SurfaceRole::Ceiling:
+      return {"IFCCOVERING", "CEILING"};
+    case SurfaceRole::Furniture:
+      return {"IFCFURNITURE", "NOTDEFINED"};
+    case SurfaceRole::DoorLeaf:
+    case SurfaceRole::Other:
+      break;
+    }
+    return {"IFCBUILDINGELEMENTPROXY", "NOTDEFINED"};
   }
 
   /** \brief A box around an opening, through its wall. */
@@ -453,6 +485,7 @@ private:
       const std::string name = "Opening " + std::to_string(i);
       const StepReference element = addProduct("IFCOPENINGELEMENT",
                                                name,
+                                               opening.label.name,
                                                addShape(openingShape(opening)),
                                                StepEnum{"OPENING"});
       file_.add("IFCRELVOIDSELEMENT",
@@ -519,9 +552,10 @@ private:
   addSpaces()
   {
     for (std::size_t i = 0; i < map_.rooms.size(); ++i) {
-      const std::string name = "Room " + std::to_string(i);
+      const std::string name = "Room " + std::to_string(i + 1);
       spaces_.push_back(addProduct("IFCSPACE",
                                    name,
+                                   map_.rooms[i].label.name,
                                    addSpaceShape(i),
                                    StepEnum{"ELEMENT"},
                                    StepEnum{"INTERNAL"},

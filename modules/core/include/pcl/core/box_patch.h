@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 namespace pcl {
 
@@ -62,6 +63,8 @@ struct BoxPatch {
 
   /** \brief Bits by which it shortens the description of its planes. */
   double saved_bits = 0;
+
+  std::string name; ///< such as "Box in room 1"; empty: not named
 };
 
 } // namespace pcl

@@ -3,8 +3,11 @@
 #include <pcl/core/box_patch.h>
 #include <pcl/core/cylinder_patch.h>
 #include <pcl/core/image_file.h>
+#include <pcl/core/map_accuracy.h>
+#include <pcl/core/map_details.h>
 #include <pcl/core/plane_patch.h>
 #include <pcl/core/recess_patch.h>
+#include <pcl/core/surface_label.h>
 #include <pcl/core/trajectory.h>
 
 #include <Eigen/Core>
@@ -87,6 +90,7 @@ struct MapOpening {
   std::array<std::int32_t, 2> planes{-1, -1};
   /** \brief In front of the first plane and behind it; -1: outside, or not seen. */
   std::array<std::int32_t, 2> rooms{-1, -1};
+  SurfaceLabel label{}; ///< its size: width and height
 };
 
 /** \brief Free space that planes and openings enclose. \ingroup core */
@@ -98,6 +102,7 @@ struct MapRoom {
   /** \brief Floors, walls and ceilings that enclose it, ascending. */
   std::vector<std::int32_t> planes;
   std::vector<std::int32_t> openings; ///< those that lead into it, ascending
+  SurfaceLabel label{}; ///< its size: sides of the smallest rectangle around it
 };
 
 /** \brief A map of textured planes that replaces a point cloud. \ingroup core */
@@ -151,6 +156,11 @@ struct CompactMap {
    * unless setRooms was called. */
   std::vector<MapRoom> rooms;
   std::vector<MapOpening> openings;
+
+  MapAccuracy accuracy; ///< of its planes in relation to each other
+
+  /** \brief What is on none of its surfaces; written to map.glb, and not read again. */
+  MapDetails details;
 };
 
 } // namespace pcl

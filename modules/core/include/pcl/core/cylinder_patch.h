@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/surface_label.h>
 
 #include <Eigen/Core>
 
@@ -54,6 +55,8 @@ struct CylinderPatch {
 
   /** \brief Numbers of the planes that it stands for, in those that were given. */
   std::vector<std::int32_t> planes;
+
+  SurfaceLabel label; ///< what it is in its building, once the map has rooms
 };
 
 } // namespace pcl

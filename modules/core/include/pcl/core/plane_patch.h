@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/surface_label.h>
 
 #include <Eigen/Core>
 
@@ -76,6 +77,8 @@ struct PlanePatch {
    * furniture, enclosed by its own outline and its creases. No sensor looked through.
    * Without edges; part of no area. */
   std::vector<PlanePolygon> proposed{};
+
+  SurfaceLabel label; ///< what it is in its building, once the map has rooms
 };
 
 } // namespace pcl

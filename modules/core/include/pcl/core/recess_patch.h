@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <string>
 
 namespace pcl {
 
@@ -36,6 +37,8 @@ struct RecessPatch {
 
   /** \brief Bits by which it shortens the description of leaf and opening. */
   double saved_bits = 0;
+
+  std::string name; ///< such as "Closed door of room 1"; empty: not named
 };
 
 } // namespace pcl

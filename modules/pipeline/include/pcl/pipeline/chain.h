@@ -10,6 +10,7 @@
 #include <pcl/mapping/map_levelling.h>
 #include <pcl/pipeline/compact_mapping_types.h>
 #include <pcl/pipeline/cost_callback.h>
+#include <pcl/pipeline/detail_mesh.h>
 #include <pcl/pipeline/estimated_poses.h>
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/observation_sequence.h>
@@ -55,6 +56,7 @@ struct ChainSettings {
   ObservationMerging merging;
   PlaneMapping planes;
   PlaneTexturing<PointXYZRGB> texturing;
+  std::size_t max_detail_bytes = default_detail_bytes; ///< 0: a map without details
 };
 
 /** \brief One cloud in the frame of the map. */
@@ -84,6 +86,7 @@ struct ChainState {
   Trajectory before; ///< poses before the rectification, level; empty without one
   ChainCloud cloud;  ///< merged, or the input; empty once planes are found
   MappedPlanes planes;
+  MapAccuracy accuracy; ///< of the poses, by these planes
   CompactMap map;
   std::shared_ptr<RankedWork> work; ///< of other ranks; or null
 

@@ -439,6 +439,21 @@ public:
     return settings_.skip_broken;
   }
 
+  /** \brief Sets how many bytes the details of the map may take (\ref makeDetails, default
+   * 1 MB; 0 in paper mode).
+   * \param[in] bytes 0: no details */
+  void
+  setMaximumDetailBytes(std::size_t bytes)
+  {
+    settings_.max_detail_bytes = bytes;
+  }
+
+  std::size_t
+  getMaximumDetailBytes() const
+  {
+    return settings_.max_detail_bytes;
+  }
+
   /** \brief Keeps the poses that were estimated, rectified or adjusted in a folder, so that
    * a later run goes on from them; it then has no report of these stages (default: none).
    * \param[in] folder is created; each stage has a folder in it (\ref acmap::StageStore).

@@ -15,6 +15,14 @@
 
 namespace pcl {
 
+namespace acmap {
+
+/** \brief Planes whose normal has at least this cosine with up or down are level, those with less
+ * than the other are upright. */
+inline constexpr double level_cosine = 0.98, upright_cosine = 0.2; // 11 degrees each
+
+} // namespace acmap
+
 /** \brief A straight piece of a wall in a floor plan, metres, in the frame of the plan.
  * \ingroup texture */
 struct PlanWall {

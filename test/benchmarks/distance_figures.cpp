@@ -1,0 +1,159 @@
+#include "bench.h"
+#include "run_tool.h"
+#include "temporary_folder.h"
+
+#include <pcl/core/map_file.h>
+#include <pcl/core/plane_distance.h>
+#include <pcl/pipeline/map_comparison.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+// The told accuracy of distances between planes of maps that were made of films, whose poses are
+// estimated, against the truth.
+
+namespace pcl::acmap::bench {
+namespace {
+
+/** A distance between two planes of a map. */
+struct Told {
+  double error;     ///< metres
+  double deviation; ///< metres, as told
+  double noise;     ///< the same of the noise of the planes alone
+};
+
+/** Number of the observation of the session with the same stamp as each of a map. */
+MappedTrajectory
+trajectoryOf(const CompactMap& map, const SessionTruth& truth)
+{
+  MappedTrajectory mapped;
+  for (std::size_t i = 0; i < map.trajectory.poses.size(); ++i) {
+    const auto& stamps = truth.trajectory.stamps;
+    const auto nearest =
+        std::min_element(stamps.begin(), stamps.end(), [&](double a, double b) {
+          const double stamp = map.trajectory.stamps[i];
+          return std::abs(a - stamp) < std::abs(b - stamp);
+        });
+    mapped.observations.push_back(static_cast<std::size_t>(nearest - stamps.begin()));
+    mapped.before.push_back(map.trajectory.poses[i]);
+    mapped.after.push_back(map.trajectory.poses[i]);
+  }
+  return mapped;
+}
+
+const TruePlane&
+planeNamed(const SessionTruth& truth, const std::string& name)
+{
+  return *std::find_if(truth.planes.begin(),
+                       truth.planes.end(),
+                       [&](const auto& plane) { return plane.name == name; });
+}
+
+/** All pairs of parallel true planes that the map has. */
+std::vector<Told>
+distancesOf(const std::string& folder, const std::string& session)
+{
+  const SessionTruth truth = loadSessionTruth(session);
+  CompactMap map = loadMapFile(folder + "/map.json");
+  CompactMap of_noise = map;
+  for (std::size_t p = 0; p < of_noise.planes.size(); ++p)
+    of_noise.planes[p].covariance(2, 2) -= poseVariance(map, p);
+  of_noise.accuracy = {};
+  std::vector<Told> told;
+  const std::vector<PlaneDeviation> planes =
+      compareWithTruth(map, trajectoryOf(map, truth), truth).aligned.planes;
+  for (std::size_t a = 0; a < planes.size(); ++a)
+    for (std::size_t b = a + 1; b < planes.size(); ++b) {
+      if (!planes[a].finder || !planes[b].finder)
+        continue;
+      const Eigen::Vector4d one = planeNamed(truth, planes[a].name).coefficients,
+                            other = planeNamed(truth, planes[b].name).coefficients;
+      const double cosine = one.head<3>().dot(other.head<3>());
+      constexpr double parallel = 1 - 1e-9;
+      if (std::abs(cosine) < parallel || *planes[a].finder == *planes[b].finder)
+        continue;
+      const double truly = std::abs(one[3] - (cosine > 0 ? 1 : -1) * other[3]);
+      constexpr double least = 0.02; // metres; less is one plane
+      if (truly < least)
+        continue;
+      const PlaneDistance found =
+          distanceBetween(map, *planes[a].finder, *planes[b].finder);
+      told.push_back(
+          {found.distance - truly,
+           found.deviation,
+           distanceBetween(of_noise, *planes[a].finder, *planes[b].finder).deviation});
+    }
+  return told;
+}
+
+/** Root mean square of the errors in told deviations. */
+double
+normalised(const std::vector<Told>& told, double Told::*deviation)
+{
+  double sum = 0;
+  for (const Told& one : told)
+    sum += std::pow(one.error / (one.*deviation), 2);
+  return std::sqrt(sum / static_cast<double>(told.size()));
+}
+
+void
+addRow(const std::string& name,
+       const std::vector<Told>& told,
+       const MapAccuracy& accuracy)
+{
+  const auto errors =
+      valuesOf(told, [](const Told& one) { return std::abs(one.error); });
+  const auto within = std::count_if(told.begin(), told.end(), [](const Told& one) {
+    return std::abs(one.error) <= 2 * one.deviation;
+  });
+  Row() << name << told.size() << figure(1000 * accuracy.pose, 2)
+        << figure(1000 * accuracy.drift, 3) << figure(1000 * median(errors), 2)
+        << figure(1000 * median(valuesOf(
+                             told, [](const Told& one) { return one.deviation; })),
+                  2)
+        << figure(normalised(told, &Told::noise), 1)
+        << figure(normalised(told, &Told::deviation), 2)
+        << figure(percent(static_cast<std::size_t>(within), told.size()), 0);
+}
+
+/** Films each scene with some seeds and maps it; ACMAP_DISTANCE_SEEDS (default 3) from
+ * ACMAP_DISTANCE_SEED (default 1) on. */
+void
+printDistances()
+{
+  const auto number = [](const char* name, int otherwise) {
+    const char* const text = std::getenv(name);
+    return text ? std::atoi(text) : otherwise;
+  };
+  const test::TemporaryFolder folder;
+  printHead(
+      "scene | pairs | pose, mm | drift, mm/m | median error, mm | median told, mm | "
+      "normalised, of noise alone | normalised | within 2 deviations, %");
+  std::vector<Told> all;
+  const int first = number("ACMAP_DISTANCE_SEED", 1);
+  for (const char* scene : {"corridor", "room", "office", "l_corridor", "loop"})
+    for (int seed = first; seed < first + number("ACMAP_DISTANCE_SEEDS", 3); ++seed) {
+      const std::string session = folder.path("session"), map = folder.path("map");
+      test::runTool(ACMAP_SIMULATED_RIG,
+                    {"-o", session, "--scene", scene, "--seed", std::to_string(seed)})
+          .succeeded();
+      test::runTool(ACMAP_COMPACT_MAPPING,
+                    {session, "-o", map, "--no-pictures", "--formats", "svg"})
+          .succeeded();
+      const std::vector<Told> told = distancesOf(map, session);
+      addRow(scene + (" " + std::to_string(seed)),
+             told,
+             loadMapFile(map + "/map.json").accuracy);
+      all.insert(all.end(), told.begin(), told.end());
+      std::filesystem::remove_all(session);
+      std::filesystem::remove_all(map);
+    }
+  addRow("all", all, {});
+}
+
+const Section distances_section("distances", printDistances);
+
+} // namespace
+} // namespace pcl::acmap::bench
