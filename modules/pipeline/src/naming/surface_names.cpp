@@ -21,6 +21,8 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // metres above the floor, and shares of the height of a room
 constexpr double eye_level = 1.5, head_level = 1.9, up_to_ceiling = 0.85;
 
+constexpr double wall_area = 2; // square metres, of a wall that was seen in part
+
 /** \brief Where a plane is, in the frame of a plan; metres, heights above its floor. */
 struct PlacedPlane {
   bool is_finite = false;
@@ -214,8 +216,10 @@ private:
       const double height = (box.axes.transpose() * plan_.up).cwiseAbs().dot(box.size);
       const bool is_pillar =
           std::isfinite(ceiling_) && height > up_to_ceiling * ceiling_;
+      const bool hangs =
+          heightOf(box.center) - height / 2 > head_level; // as a duct does
       for (const BoxFace& face : box.faces)
-        if (!is_pillar && face.plane >= 0 &&
+        if (!is_pillar && !hangs && face.plane >= 0 &&
             (face.kind == BoxFaceKind::Seen || face.kind == BoxFaceKind::Slanted))
           setRole(static_cast<std::size_t>(face.plane), SurfaceRole::Furniture);
     }
@@ -224,20 +228,24 @@ private:
         setRole(static_cast<std::size_t>(recess.leaf), SurfaceRole::DoorLeaf);
   }
 
-  /** \brief Is an upright plane as high as a wall? */
+  /** \brief Is an upright plane as high as a wall? The sides of ducts, which hang from the
+   * ceiling, are not, unless they are large. */
   bool
   isTall(std::size_t plane) const
   {
     constexpr double min_area = 0.5, min_width = 0.25; // square metres, metres
     const PlacedPlane& one = placed_[plane];
+    const double area = map_.planes[plane].area;
     if (!one.is_finite || !one.isUpright())
       return false;
     if (plan_.floors.empty())
-      return one.high - one.low >= eye_level && map_.planes[plane].area >= 2 * min_area;
+      return one.high - one.low >= eye_level && area >= 2 * min_area;
     const double enough =
         std::isfinite(ceiling_) ? up_to_ceiling * ceiling_ : head_level;
-    return one.high >= enough &&
-           (map_.planes[plane].area >= min_area || one.size.x() >= min_width);
+    if (one.high < enough)
+      return false;
+    return one.low > head_level ? area >= wall_area
+                                : area >= min_area || one.size.x() >= min_width;
   }
 
   /** \brief Does some wall fulfil a condition? */
@@ -246,7 +254,7 @@ private:
   hasWall(const Condition& condition) const
   {
     for (std::size_t p = 0; p < placed_.size(); ++p)
-      if (roleOf(p) == SurfaceRole::Wall && isTall(p) && condition(placed_[p]))
+      if (roleOf(p) == SurfaceRole::Wall && condition(placed_[p]))
         return true;
     return false;
   }
@@ -263,18 +271,39 @@ private:
     });
   }
 
-  /** \brief Does a plane stand before a wall, as the front of a cupboard does? */
+  /** \brief Is a plane in front of another one that faces the same side, as the front of a
+   * cupboard is in front of a wall? */
+  static bool
+  isBefore(const PlacedPlane& one, const PlacedPlane& other)
+  {
+    constexpr double min_cosine = 0.95, nearest = 0.08, farthest = 1.2, slack = 0.1;
+    const double before = (one.center - other.center).dot(other.front.normalized());
+    const double place = one.center.dot(other.along());
+    return one.normal.dot(other.normal) > min_cosine && before > nearest &&
+           before < farthest && place > other.begin - slack &&
+           place < other.end + slack;
+  }
+
   bool
   standsBeforeWall(const PlacedPlane& one) const
   {
-    constexpr double min_cosine = 0.95, nearest = 0.08, farthest = 1.2, slack = 0.1;
-    return hasWall([&](const PlacedPlane& wall) {
-      const double before = (one.center - wall.center).dot(wall.front.normalized());
-      const double place = one.center.dot(wall.along());
-      return one.normal.dot(wall.normal) > min_cosine && before > nearest &&
-             before < farthest && place > wall.begin - slack &&
-             place < wall.end + slack;
-    });
+    return hasWall([&](const PlacedPlane& wall) { return isBefore(one, wall); });
+  }
+
+  /** \brief Is an upright plane the last one behind furniture, as far as was seen? Walls are
+   * hidden below, and often not seen above. */
+  bool
+  isBehindFurniture(const PlacedPlane& one) const
+  {
+    constexpr double above_worktops = 1.15; // metres
+    bool has_furniture = false, is_last = true;
+    for (const PlacedPlane& other : placed_) {
+      if (!other.is_finite || !other.isUpright())
+        continue;
+      has_furniture = has_furniture || isBefore(other, one);
+      is_last = is_last && !isBefore(one, other);
+    }
+    return one.high > above_worktops && has_furniture && is_last;
   }
 
   /** \brief Has an upright plane the size of a door, and is a side of it at the side of one? */
@@ -304,7 +333,6 @@ private:
   SurfaceRole
   roleOfUpright(std::size_t plane) const
   {
-    constexpr double wall_area = 2; // square metres
     const PlacedPlane& one = placed_[plane];
     if (plan_.floors.empty())
       return SurfaceRole::Other;
@@ -314,11 +342,13 @@ private:
       return SurfaceRole::Wall;
     if (standsBeforeWall(one))
       return SurfaceRole::Furniture;
-    if (one.high > eye_level &&
+    if (one.high > eye_level && one.low < head_level &&
         (map_.planes[plane].area >= wall_area || one.high > head_level))
       return SurfaceRole::Wall;
-    return one.high < head_level && !roomsAt(plane).empty() ? SurfaceRole::Furniture
-                                                            : SurfaceRole::Other;
+    if (isBehindFurniture(one))
+      return SurfaceRole::Wall;
+    return one.high < head_level && !plan_.rooms.empty() ? SurfaceRole::Furniture
+                                                         : SurfaceRole::Other;
   }
 
   SurfaceRole
@@ -339,13 +369,14 @@ private:
       if (is_level && std::abs(one.low) > head_level && area >= floor_area_ / 2)
         return SurfaceRole::Floor;
       return one.low >= 0 && one.high < top && one.low < head_level &&
-                     !roomsAt(plane).empty()
+                     !plan_.rooms.empty()
                  ? SurfaceRole::Furniture
                  : SurfaceRole::Other;
     }
-    if (one.high >= top && one.high >= head_level && area >= min_area)
+    constexpr double steepest = 0.7; // cosine between a ceiling and a level plane
+    if (one.low >= head_level && area >= min_area && one.facing_up < -steepest)
       return SurfaceRole::Ceiling;
-    return one.high < head_level && one.low > 0 && !roomsAt(plane).empty()
+    return one.high < head_level && one.low > 0 && !plan_.rooms.empty()
                ? SurfaceRole::Furniture
                : SurfaceRole::Other;
   }
@@ -403,21 +434,27 @@ private:
   nameCylinders()
   {
     for (CylinderPatch& cylinder : map_.cylinders) {
-      const double upright = std::abs(cylinder.axis_direction.dot(plan_.up));
-      const double length = cylinder.high - cylinder.low;
-      constexpr double thin = 0.08; // metres, the radius of a pipe
-      const char* const kind = cylinder.is_hollow ? "Curved wall"
-                               : cylinder.radius < thin || upright < acmap::level_cosine
-                                   ? "Pipe"
-                                   : "Column";
-      const bool is_part = is_building_ && !plan_.floors.empty();
-      const bool is_wall =
-          is_part && cylinder.is_hollow && upright > acmap::level_cosine;
       cylinder.label = {
-          nameIn(is_part ? kind : "Cylinder", "in", roomsAt(flat(cylinder.axis_point))),
-          is_wall ? SurfaceRole::Wall : SurfaceRole::Other,
-          {2 * cylinder.radius, length}};
+          nameIn(kindOf(cylinder), "in", roomsAt(flat(cylinder.axis_point))),
+          SurfaceRole::Other,
+          {2 * cylinder.radius, cylinder.high - cylinder.low}};
     }
+  }
+
+  const char*
+  kindOf(const CylinderPatch& cylinder) const
+  {
+    constexpr double pipe = 0.08, column = 0.6, min_height = 1; // radii, metres
+    const bool is_column =
+        std::abs(cylinder.axis_direction.dot(plan_.up)) > acmap::level_cosine &&
+        cylinder.high - cylinder.low > min_height;
+    if (!is_building_ || plan_.floors.empty())
+      return "Cylinder";
+    if (cylinder.is_hollow)
+      return is_column ? "Curved wall" : "Curved surface";
+    if (cylinder.radius < pipe)
+      return "Pipe";
+    return is_column && cylinder.radius < column ? "Column" : "Curved surface";
   }
 
   void
