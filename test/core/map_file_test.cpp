@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace pcl::acmap::test {
 namespace {
@@ -88,6 +89,16 @@ TEST_F(MapFile, EverythingComesBack)
   }
 }
 
+TEST_F(MapFile, AccuracyComesBack)
+{
+  CompactMap map = makeSampleMap();
+  EXPECT_EQ(reloaded(map).accuracy.pose, map.accuracy.pose);
+  EXPECT_EQ(reloaded(map).accuracy.drift, map.accuracy.drift);
+  EXPECT_TRUE(std::isnan(reloaded(map).accuracy.scale));
+  map.accuracy = {};
+  EXPECT_TRUE(std::isnan(reloaded(map).accuracy.pose));
+}
+
 TEST_F(MapFile, RoomsComeBack)
 {
   CompactMap map = makeSampleMap();
@@ -99,6 +110,7 @@ TEST_F(MapFile, RoomsComeBack)
     EXPECT_EQ(back.rooms[i].seen_area, map.rooms[i].seen_area);
     EXPECT_EQ(back.rooms[i].planes, map.rooms[i].planes);
     EXPECT_EQ(back.rooms[i].openings, map.rooms[i].openings);
+    expectSameLabel(back.rooms[i].label, map.rooms[i].label);
   }
   ASSERT_EQ(back.openings.size(), map.openings.size());
   for (std::size_t i = 0; i < map.openings.size(); ++i) {
@@ -108,6 +120,7 @@ TEST_F(MapFile, RoomsComeBack)
     EXPECT_EQ(back.openings[i].kind, map.openings[i].kind);
     EXPECT_EQ(back.openings[i].planes, map.openings[i].planes);
     EXPECT_EQ(back.openings[i].rooms, map.openings[i].rooms);
+    expectSameLabel(back.openings[i].label, map.openings[i].label);
   }
   EXPECT_EQ(back.openings[0].top, map.openings[0].top);
   EXPECT_TRUE(std::isnan(back.openings[1].top));
@@ -254,6 +267,10 @@ TEST_F(MapFile, FaultsAreNamed)
            {"/planes/0/effective_support", "x", "effective_support is no number"},
            {"/planes/0/rmse", true, "planes[0].rmse is no number"},
            {"/planes/0/area", nullptr, "planes[0].area is no number"},
+           {"/planes/0/name", 7, "planes[0].name is no text"},
+           {"/planes/0/role", "roof", "planes[0].role is no role"},
+           {"/planes/0/size", {1}, "planes[0].size has 1 elements"},
+           {"/accuracy/pose", "x", "accuracy.pose is no number"},
            {"/planes/0/polygons/0/outer", {{1, 2, 3}}, "outer has 1 points"},
            {"/planes/0/polygons/0/outer/2", {1, 2}, "outer[2] has 2 elements"},
            {"/planes/0/polygons/0/outer/2/0", 1e39, "outer[2][0] is too large"},
@@ -331,10 +348,10 @@ TEST_F(MapFile, KeysThatAreMissingAreNamed)
     for (const auto& item : whole.at(pointer).items()) {
       auto json = whole;
       json.at(pointer).erase(item.key());
-      const bool is_optional = place.empty() ? item.key() != "planes"
-                                             : item.key() == "proposed" ||
-                                                   item.key() == "charts" ||
-                                                   item.key() == "observations";
+      static const std::set<std::string> optional = {
+          "proposed", "charts", "observations", "name", "role", "size"};
+      const bool is_optional =
+          place.empty() ? item.key() != "planes" : optional.count(item.key()) > 0;
       EXPECT_THAT(faultOf(json.dump()),
                   HasSubstr(is_optional ? "no fault" : "has no \"" + item.key() + "\""))
           << place;

@@ -100,6 +100,7 @@ expectSamePolygons(const std::vector<PlanePolygon>& polygons,
 void
 expectSamePlane(const PlanePatch& plane, const PlanePatch& wanted)
 {
+  expectSameLabel(plane.label, wanted.label);
   EXPECT_TRUE(sameBits(plane.coefficients, wanted.coefficients));
   EXPECT_TRUE(sameBits(plane.center, wanted.center));
   EXPECT_TRUE(sameBits(plane.axis_u, wanted.axis_u));
@@ -165,6 +166,7 @@ expectSameBox(const BoxPatch& box, const BoxPatch& wanted)
   }
   EXPECT_EQ(box.template_id, wanted.template_id);
   EXPECT_EQ(box.saved_bits, wanted.saved_bits);
+  EXPECT_EQ(box.name, wanted.name);
 }
 
 void
@@ -185,6 +187,7 @@ expectSameCylinder(const CylinderPatch& cylinder, const CylinderPatch& wanted)
   EXPECT_EQ(cylinder.area, wanted.area);
   EXPECT_EQ(cylinder.template_id, wanted.template_id);
   EXPECT_EQ(cylinder.saved_bits, wanted.saved_bits);
+  expectSameLabel(cylinder.label, wanted.label);
 }
 
 /** Compares sizes and files, not the colours. */
@@ -229,12 +232,32 @@ makeSampleMap()
       {{1.0 / 3, 2, 3}, {4, 5, 0.6}, 0.9, 2.1, OpeningKind::Window, {1, 0}, {0, 1}},
       {}};
   map.openings[1].planes[0] = 1;
+  map.planes[0].label = {
+      "Wall \"of\" room 2, \u00e4", SurfaceRole::Wall, {7.1, 1.0 / 3}};
+  map.planes[1].label = {"Leaf", SurfaceRole::DoorLeaf};
+  map.cylinders[0].label = {"Column", SurfaceRole::Other, {0.3, 2.7}};
+  map.boxes[1].name = "Box";
+  map.recesses[0].name = "Closed door";
+  map.rooms[0].label = {"Room 1", SurfaceRole::Other, {1.0 / 7, 2}};
+  map.openings[0].label = {"Window of room 1", SurfaceRole::Other, {1.2, 1}};
+  map.accuracy = {0.001, 1.0 / 3000};
   map.observations = {{0, 1}, {}};
   map.trajectory.stamps = {0.1, 1e9 + 1.0 / 3};
   Eigen::Isometry3d pose(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized()));
   pose.translation() = Eigen::Vector3d(0.1, -0.2, 1e5 / 3);
   map.trajectory.poses = {Eigen::Isometry3d::Identity(), pose};
   return map;
+}
+
+void
+expectSameLabel(const SurfaceLabel& label, const SurfaceLabel& wanted)
+{
+  EXPECT_EQ(label.name, wanted.name);
+  EXPECT_EQ(label.role, wanted.role);
+  if (wanted.size.allFinite())
+    EXPECT_EQ(label.size, wanted.size);
+  else
+    EXPECT_TRUE(label.size.hasNaN());
 }
 
 void
@@ -279,6 +302,7 @@ expectSameRecesses(const CompactMap& map, const CompactMap& wanted)
     EXPECT_EQ(one.reaches_floor, other.reaches_floor);
     EXPECT_EQ(one.template_id, other.template_id);
     EXPECT_EQ(one.saved_bits, other.saved_bits);
+    EXPECT_EQ(one.name, other.name);
   }
 }
 

@@ -13,6 +13,9 @@ namespace pcl::acmap::test {
 CompactMap
 makeSampleMap();
 
+void
+expectSameLabel(const SurfaceLabel& label, const SurfaceLabel& wanted);
+
 /** \brief Expects bitwise equal numbers. */
 void
 expectSamePlanes(const CompactMap& map, const CompactMap& wanted);

@@ -21,6 +21,9 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // metres above the floor, and shares of the height of a room
 constexpr double eye_level = 1.5, head_level = 1.9, up_to_ceiling = 0.85;
 
+constexpr double steepest =
+    0.7; // cosine between up and the normal of a ceiling or a top
+
 constexpr double wall_area = 2; // square metres, of a wall that was seen in part
 
 /** \brief Where a plane is, in the frame of a plan; metres, heights above its floor. */
@@ -340,7 +343,7 @@ private:
       return SurfaceRole::DoorLeaf;
     if (continuesWall(one))
       return SurfaceRole::Wall;
-    if (standsBeforeWall(one))
+    if (one.low < head_level && standsBeforeWall(one))
       return SurfaceRole::Furniture;
     if (one.high > eye_level && one.low < head_level &&
         (map_.planes[plane].area >= wall_area || one.high > head_level))
@@ -373,7 +376,6 @@ private:
                  ? SurfaceRole::Furniture
                  : SurfaceRole::Other;
     }
-    constexpr double steepest = 0.7; // cosine between a ceiling and a level plane
     if (one.low >= head_level && area >= min_area && one.facing_up < -steepest)
       return SurfaceRole::Ceiling;
     return one.high < head_level && one.low > 0 && !plan_.rooms.empty()
@@ -419,9 +421,9 @@ private:
     case SurfaceRole::DoorLeaf:
       return nameIn("Door leaf", "of", rooms);
     case SurfaceRole::Furniture:
-      return nameIn(one.isUpright()     ? "Side of furniture"
-                    : one.facing_up > 0 ? "Top of furniture"
-                                        : "Underside of furniture",
+      return nameIn(std::abs(one.facing_up) < steepest ? "Side of furniture"
+                    : one.facing_up > 0                ? "Top of furniture"
+                                                       : "Underside of furniture",
                     "in",
                     rooms);
     case SurfaceRole::Other:
