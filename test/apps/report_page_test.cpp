@@ -42,8 +42,10 @@ fullReport(const std::string& name)
            {"coefficients", {0, -1, 0, 1.25}},
            {"area", 58.8},
            {"rmse", 0.005},
+           {"description", "Wall of " + name},
            {"support", 100}}}},
-        {"bytes", {{"raw", 1600}, {"map.glb", 8}, {"geometry", 4}}}}}};
+        {"rooms", {{{"description", "Room 1, 24.8 m²"}}}},
+        {"bytes", {{"raw", 1600}, {"textured", 8}, {"geometry", 4}}}}}};
   return {{"tool", "pcl_compact_mapping"},
           {"version", "0.1.0"},
           {"command_line", {"pcl_compact_mapping", name, "-o", "map"}},
@@ -100,6 +102,8 @@ TEST(ReportPage, ShowsAllThatIsTold)
                            "corridor is missing or damaged",
                            "<h2>Energy of the rectification</h2>",
                            ">58.80<",
+                           "<li value=\"0\">Wall of corridor</li>",
+                           "<li>Room 1, 24.8 m²</li>",
                            "2.60 s",
                            "&lt;i&gt;corridor",
                            "1 MB"})
@@ -399,7 +403,7 @@ TEST(ReportPage, CountsWhatTheLastStageCounted)
           {{"planes", 1},
            {"finite_points", 2000},
            {"points_on_planes", 1500},
-           {"bytes", {{"raw", 32000}, {"map.glb", 100}, {"geometry", 0}}}}}}}}};
+           {"bytes", {{"raw", 32000}, {"textured", 100}, {"geometry", 0}}}}}}}}};
   const std::string page = pageOf(report);
   EXPECT_EQ(htmlFault(page), "");
   EXPECT_THAT(page,
