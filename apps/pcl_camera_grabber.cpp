@@ -14,6 +14,10 @@ main(int argc, char** argv)
             "projector: point clouds, a raw session, or both.");
   CameraOptions options;
   addOptions(tool, options);
+  tool.setHelp({{{"pcl_camera_grabber --list", "The cameras that are there."},
+                 {"pcl_camera_grabber --device 0 2 --rig rig.yaml --pcd clouds",
+                  "Observations of two cameras as point clouds."}},
+                {}});
   return tool.run(argc, argv, [&] {
     requireSense(tool, options);
     if (options.list)

@@ -127,6 +127,9 @@ main(int argc, char** argv)
       ->required();
   tool.addThreads();
   addReading(tool.options(), tool.reader());
+  tool.setHelp({{{"pcl_cloud_info cloud.ply",
+                  "Unit, up direction, noise and more, and the commands that fit."}},
+                {}});
   return tool.run(argc, argv, [&] {
     tool.requireReportWritable({input});
     const auto file = std::make_shared<pcl::PointCloudFile>();

@@ -133,6 +133,37 @@ main(int argc, char** argv)
       "planes.");
   ChainOptions options;
   addOptions(tool, options);
+  tool.setHelp(
+      {{{"pcl_compact_mapping cloud.ply -o map",
+         "A map of one cloud; map/map.html shows it in a browser."},
+        {"pcl_compact_mapping recording -o map",
+         "A map of a raw session, an RGB-D folder, a bag, or a folder of clouds."},
+        {"pcl_compact_mapping session -o map --truth session",
+         "The same of a simulated session, compared with its truth."},
+        {"pcl_compact_mapping second -o both --extend first",
+         "A second recording extends the map of the first one."}},
+       {"--output",
+        "--up",
+        "--scale",
+        "--sensor-at",
+        "--columns",
+        "--truth",
+        "--paper",
+        "--as-recorded",
+        "--live",
+        "--6dof",
+        "--extend",
+        "--pose-convention",
+        "--no-rectification",
+        "--no-details",
+        "--no-pictures",
+        "--formats",
+        "--threads",
+        "--memory-limit",
+        "--report",
+        "--quiet",
+        "--help",
+        "--version"}});
   if (ranks.get())
     ranks.get()->setIdleCallback(stopIfInterrupted);
   return ranks.get() && ranks.get()->rank() > 0

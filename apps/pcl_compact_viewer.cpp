@@ -442,6 +442,10 @@ main(int argc, char** argv)
       "Shows a map, a triangle mesh or a point cloud, in a window or as a picture.");
   ViewerOptions options;
   addOptions(tool, options);
+  tool.setHelp({{{"pcl_compact_viewer map", "A map in a window; h shows the keys."},
+                 {"pcl_compact_viewer mesh.ply --screenshot mesh.png",
+                  "A picture of a mesh or a cloud."}},
+                {}});
   return tool.run(argc, argv, [&] {
     checkPlaces(tool, options);
     show(options, tool.reader(), tool.log());

@@ -344,6 +344,11 @@ main(int argc, char** argv)
             "Makes an open, manifold triangle mesh of a point cloud.");
   Options options;
   addOptions(tool, options);
+  tool.setHelp({{{"pcl_dewall_surface cloud.pcd mesh.ply",
+                  "A mesh of a cloud, with edges as long as its spacing allows."},
+                 {"pcl_dewall_surface cloud.pcd mesh.ply --max-edge 0.1",
+                  "The same with edges of at most 10 cm."}},
+                {}});
   return tool.run(argc, argv, [&] {
     checkPlaces(tool, options);
     meshCloud(options, tool.controls(), tool.log());

@@ -10,6 +10,11 @@ main(int argc, char** argv)
       "a raw session, or both.");
   DigiclopsOptions options;
   addOptions(tool, options);
+  tool.setHelp({{{"pcl_digiclops_grabber --list", "The cameras that are there."},
+                 {"pcl_digiclops_grabber -o session", "Records a raw session."},
+                 {"pcl_digiclops_grabber --device session --pcd clouds",
+                  "Point clouds of a recorded one."}},
+                {}});
   return tool.run(argc, argv, [&] {
     requireSense(tool, options);
     if (options.list)

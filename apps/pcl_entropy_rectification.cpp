@@ -9,6 +9,11 @@ main(int argc, char** argv)
             "together best.");
   RectificationOptions options;
   addOptions(tool, options);
+  tool.setHelp({{{"pcl_entropy_rectification clouds -o straight",
+                  "Straightens a folder of posed point clouds."},
+                 {"pcl_entropy_rectification --carmen robot.log -o straight",
+                  "The same for the scans of a laser log."}},
+                {}});
   return tool.run(argc, argv, [&] {
     if (options.input().empty())
       throw UsageError("POSED_DIR, BAG or --carmen LOG is needed");

@@ -176,6 +176,12 @@ main(int argc, char** argv)
   Tool tool("pcl_plane_extraction", "Finds the planes of a point cloud or a mesh.");
   Options options;
   addOptions(tool, options);
+  tool.setHelp({{{"pcl_plane_extraction cloud.ply planes.json",
+                  "The planes of a cloud, with outlines and covariances."},
+                 {"pcl_plane_extraction view.pcd planes.json --labels labels.pcd "
+                  "--picture planes.png",
+                  "The plane of each point, too, and a picture."}},
+                {}});
   return tool.run(argc, argv, [&] {
     checkOptions(tool, options);
     options.stage.setComputeMesh(!options.normals.empty() || !options.picture.empty());

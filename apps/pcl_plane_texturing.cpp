@@ -5,8 +5,8 @@
 #include <pcl/core/map_file.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/core/point_cloud_file.h>
-#include <pcl/texture/compact_map_folder.h>
 #include <pcl/pipeline/surface_names.h>
+#include <pcl/texture/compact_map_folder.h>
 #include <pcl/texture/floor_plan.h>
 
 #include <CLI/CLI.hpp>
@@ -107,6 +107,9 @@ main(int argc, char** argv)
             "Paints planes with what was seen of them: a compact map.");
   Options options;
   addOptions(tool, options);
+  tool.setHelp({{{"pcl_plane_texturing planes.json clouds -o map",
+                  "A textured map of planes and of the observations that saw them."}},
+                {}});
   return tool.run(argc, argv, [&] {
     checkOptions(tool, options);
     run(options, tool.controls(), tool.log());

@@ -388,6 +388,9 @@ main(int argc, char** argv)
             "Turns a folder of colour and depth images into observation point clouds.");
   ImportOptions options;
   addOptions(tool, options);
+  tool.setHelp({{{"pcl_rgbd_import recording -o clouds",
+                  "Point clouds of an RGB-D folder, with its poses if it has some."}},
+                {}});
   return tool.run(argc, argv, [&] {
     StageLog& log = tool.log();
     StepTimer timer(log.report);

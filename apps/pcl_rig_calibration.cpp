@@ -290,6 +290,10 @@ main(int argc, char** argv)
             "Calibrates a trinocular rig from images of a chessboard.");
   CalibrationOptions options;
   addOptions(tool, options);
+  tool.setHelp({{{"pcl_rig_calibration --board 9x6 --square 0.024 --reference r*.png "
+                  "--horizontal h*.png --vertical v*.png -o rig.yaml",
+                  "A rig of three cameras."}},
+                {}});
   return tool.run(argc, argv, [&] {
     const std::vector<std::string> images = allImages(options);
     requireShots(options);

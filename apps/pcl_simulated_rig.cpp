@@ -452,6 +452,11 @@ main(int argc, char** argv)
             "Simulates what the rig measures on its way through a building.");
   SimulationOptions options;
   addOptions(tool, options);
+  tool.setHelp(
+      {{{"pcl_simulated_rig -o session", "Films a simulated corridor as a rig would."},
+        {"pcl_simulated_rig -o clouds --scene office --clouds",
+         "Point clouds of an office with their true poses."}},
+       {}});
   return tool.run(argc, argv, [&] {
     requireSense(tool, options);
     StageLog& log = tool.log();

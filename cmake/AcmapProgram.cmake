@@ -4,7 +4,23 @@ function(acmap_add_tool name)
   acmap_add_program(${name} ${ARGN})
   acmap_use_tool_headers(${name})
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
+  install(FILES "${PROJECT_SOURCE_DIR}/share/completion/acmap.bash"
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+          RENAME ${name} COMPONENT tools)
   acmap_join(product ${name})
+  acmap_add_manual(${name})
+endfunction()
+
+# acmap_add_manual (<name>): the tool writes its page of the manual, where it can be run.
+function(acmap_add_manual name)
+  if(CMAKE_CROSSCOMPILING OR NOT CMAKE_BUILD_TYPE STREQUAL Release)
+    return()
+  endif()
+  set(page "${PROJECT_BINARY_DIR}/man/${name}.1")
+  file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/man")
+  add_custom_command(TARGET ${name} POST_BUILD COMMAND ${name} --help man > "${page}"
+                     BYPRODUCTS "${page}" VERBATIM)
+  install(FILES "${page}" DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools)
 endfunction()
 
 # acmap_add_tool_part (<name> SOURCES <file>... LIBRARIES <target>...): what a tool is made

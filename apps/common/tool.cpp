@@ -101,57 +101,26 @@ printableLength(const std::string& text, std::size_t at)
   return is_control ? 0 : length;
 }
 
-/** \brief The same help in every run and with every version of CLI11, which lists options
- * by their addresses, and whose defaults differ from 2.4 on. */
-class HelpFormatter : public CLI::Formatter {
-public:
-  HelpFormatter()
-  {
-    column_width(34);
-  }
-
-  std::string
-  make_option_opts(const CLI::Option* option) const override
-  {
-    return (option->get_type_size() == 0 ? "" : value(*option)) +
-           others(" Needs:", option->get_needs()) +
-           others(" Excludes:", option->get_excludes());
-  }
-
-private:
-  static std::string
-  value(const CLI::Option& option)
-  {
-    std::string told;
-    if (!option.get_type_name().empty())
-      told += " " + option.get_type_name();
-    if (!option.get_default_str().empty())
-      told += "=" + option.get_default_str();
-    if (option.get_expected_max() == CLI::detail::expected_max_vector_size)
-      told += " ...";
-    else if (option.get_expected_min() > 1)
-      told += " x " + std::to_string(option.get_expected());
-    return told + (option.get_required() ? " REQUIRED" : "");
-  }
-
-  static std::string
-  others(const std::string& heading, const std::set<CLI::Option*>& options)
-  {
-    std::set<std::string> names;
-    for (const CLI::Option* option : options)
-      names.insert(" " + option->get_name());
-    std::string told = names.empty() ? "" : heading;
-    for (const std::string& name : names)
-      told += name;
-    return told;
-  }
-};
-
 constexpr const char* exit_code_text =
     "Exit codes: 0 done, 1 failed, 2 usage, 3 input unreadable or malformed, 4 nothing "
-    "found,\n5 output could not be written, 6 not enough memory, 7 the result "
-    "contradicts itself,\n130 interrupted. "
+    "found, 5 output could not be written, 6 not enough memory, 7 the result "
+    "contradicts itself, 130 interrupted. "
     "Long options may also be spelt with one dash and underscores.";
+
+/** \brief What follows `--help`, possibly nothing; none if there is no help to be shown. */
+std::optional<std::string>
+helpTopicIn(const std::vector<std::string>& arguments)
+{
+  const std::string flag = "--help";
+  for (std::size_t i = 0; i < arguments.size() && arguments[i] != "--"; ++i) {
+    const std::string& argument = arguments[i];
+    if (argument.rfind(flag + "=", 0) == 0)
+      return argument.substr(flag.size() + 1);
+    if (argument == flag || argument == "-h")
+      return i + 1 < arguments.size() ? arguments[i + 1] : std::string();
+  }
+  return {};
+}
 
 std::string
 summaryLine(const std::string& name, const std::string& value)
@@ -169,10 +138,10 @@ Tool::Tool(std::string name, const std::string& purpose)
 , app_(std::make_unique<CLI::App>(purpose, name_))
 {
   app_->option_defaults()->always_capture_default();
-  app_->set_help_flag("-h,--help", "Print this help and stop");
+  app_->set_help_flag(
+      "-h,--help", "Print the help and stop; --help all and --help GROUP print more");
   app_->set_version_flag("--version", name_ + " (acmap) " ACMAP_VERSION);
   app_->get_option("--version")->description("Print the version and stop");
-  app_->formatter(std::make_shared<HelpFormatter>());
   app_->footer(exit_code_text);
   app_->add_option("--report", report_path_, "Write counts, seconds and remarks there")
       ->type_name("FILE.json")
@@ -289,6 +258,11 @@ Tool::parse(int argc, const char* const* argv)
   arguments = withDoubleDashes(std::move(arguments), *app_);
   for (const std::string& name : automatic_options_)
     arguments = withAutomaticValue(std::move(arguments), name);
+  if (const auto topic = helpTopicIn(arguments)) {
+    print(*topic == "man" ? manPageOf(*app_, help_)
+                          : helpOf(*app_, help_, *topic, helpWidth()));
+    return 0;
+  }
   // CLI11 takes them in reverse order
   std::reverse(arguments.begin(), arguments.end());
   try {

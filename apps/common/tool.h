@@ -2,6 +2,7 @@
 
 #include "contradicted_output.h"
 #include "exit_code.h"
+#include "help_text.h"
 #include "stage_log.h"
 
 #include <pcl/core/progress.h>
@@ -15,11 +16,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace CLI {
-
-class App;
-}
 
 namespace pcl::acmap {
 
@@ -59,6 +55,13 @@ public:
   options()
   {
     return *app_;
+  }
+
+  /** \brief Sets the examples and the common options of the help. */
+  void
+  setHelp(HelpText help)
+  {
+    help_ = std::move(help);
   }
 
   /** \brief Adds `--threads`. */
@@ -163,6 +166,7 @@ private:
 
   std::string name_;
   std::unique_ptr<CLI::App> app_;
+  HelpText help_;
   unsigned threads_ = 0;
   PointCloudReader reader_;
   std::vector<std::string> automatic_options_;

@@ -1,15 +1,25 @@
 #include "temporary_folder.h"
 #include "tool_cases.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <sstream>
 
 namespace pcl::acmap::test {
 namespace {
 
 using Run = ToolRun (*)(const std::vector<std::string>&, const RunSettings&);
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+const std::string mapping_tool = std::string(ACMAP_BIN) + "/pcl_compact_mapping";
 
 class Usage : public testing::TestWithParam<Run> {};
 
@@ -47,6 +57,80 @@ INSTANTIATE_TEST_SUITE_P(Tools,
 
 /** No option, unit or default changes unnoticed. If ACMAP_REFRESH_FINGERPRINTS is set,
  * stores the help instead of comparing. */
+/** No line is longer than the width, counted in characters. */
+void
+expectNarrow(const std::string& text, std::size_t width)
+{
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_LE(std::count_if(
+                  line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; }),
+              static_cast<std::ptrdiff_t>(width))
+        << line;
+}
+
+/** The examples of a help use options that it has. */
+void
+expectKnownOptions(const std::string& help)
+{
+  const std::size_t begin = help.find("\nExamples:\n");
+  ASSERT_NE(begin, std::string::npos) << help;
+  const std::size_t end = help.find("\n\n", begin);
+  static const std::regex option("--[a-z0-9][a-z0-9-]*");
+  const std::string examples = help.substr(begin, end - begin), rest = help.substr(end);
+  for (std::sregex_iterator one(examples.begin(), examples.end(), option), last;
+       one != last;
+       ++one)
+    EXPECT_THAT(rest, HasSubstr(one->str()));
+}
+
+/** The environment of a run with so many columns. */
+RunSettings
+columns(const char* count)
+{
+  RunSettings settings;
+  settings.environment = {{"COLUMNS", count}};
+  return settings;
+}
+
+TEST(Help, FitsTheColumnsThatThereAre)
+{
+  for (const char* count : {"50", "80", "132"}) {
+    const ToolRun run =
+        runTool(mapping_tool, {"--help", "all"}, columns(count));
+    expectNarrow(run.out, std::stoul(count));
+  }
+  const ToolRun wild = runTool(mapping_tool, {"--help"}, columns("-7"));
+  EXPECT_EQ(wild.exit_code, 0);
+  EXPECT_THAT(wild.out, HasSubstr("--output"));
+}
+
+TEST(Help, ShowsCommonOptionsOrThoseOfASubject)
+{
+  const auto help = [](std::vector<std::string> words) {
+    words.insert(words.begin(), "--help");
+    return runTool(mapping_tool, words).succeeded().out;
+  };
+  const std::string common = help({}), all = help({"all"}), stereo = help({"stereo"});
+  for (const char* option : {"--paper", "--as-recorded", "--up", "--output"})
+    EXPECT_THAT(common, HasSubstr(option));
+  EXPECT_THAT(common, Not(HasSubstr("--min-correlation")));
+  EXPECT_THAT(common, HasSubstr("--help all"));
+  EXPECT_THAT(all, HasSubstr("--min-correlation"));
+  EXPECT_THAT(stereo, HasSubstr("--min-correlation"));
+  EXPECT_THAT(stereo, Not(HasSubstr("--no-rectification")));
+  EXPECT_LT(common.size(), all.size() / 2);
+  EXPECT_EQ(help({"cloud.ply"}), common);
+}
+
+TEST(Help, IsAPageOfTheManual)
+{
+  const std::string page = runTool(mapping_tool, {"--help", "man"}).out;
+  EXPECT_THAT(page, StartsWith(".TH pcl_compact_mapping 1"));
+  EXPECT_THAT(page, HasSubstr("\n.SH SYNOPSIS\n"));
+  EXPECT_THAT(page, HasSubstr("\\-\\-output"));
+}
+
 TEST(StoredHelp, IsThatOfEachTool)
 {
   namespace fs = std::filesystem;
@@ -60,7 +144,9 @@ TEST(StoredHelp, IsThatOfEachTool)
     if (!fs::exists(program))
       continue;
     ++tools;
-    const std::string help = runTool(program, {"--help"}).out;
+    const std::string help = runTool(program, {"--help", "all"}).out;
+    expectNarrow(help, 80);
+    expectKnownOptions(help);
     const std::string path = std::string(ACMAP_STORED_HELP) + "/" + name + ".txt";
     if (std::getenv("ACMAP_REFRESH_FINGERPRINTS"))
       std::ofstream(path) << help;

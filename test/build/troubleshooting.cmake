@@ -8,7 +8,7 @@ set(help)
 file(GLOB sources "${ROOT}/apps/pcl_*.cpp")
 foreach(source IN LISTS sources)
   cmake_path(GET source STEM tool)
-  execute_process(COMMAND "${BIN}/${tool}" --help OUTPUT_VARIABLE its_help
+  execute_process(COMMAND "${BIN}/${tool}" --help all OUTPUT_VARIABLE its_help
                   COMMAND_ERROR_IS_FATAL ANY)
   string(APPEND help "${its_help}")
 endforeach()
