@@ -18,8 +18,7 @@ template <>
 inline constexpr int member_count<BoxPatch> = 9;
 template <>
 inline constexpr int member_count<CylinderPatch> = 17;
-template <>
-inline constexpr int member_count<MapAccuracy> = 3;
+
 template <>
 inline constexpr int member_count<MapEdge> = 4;
 template <>
@@ -31,7 +30,7 @@ inline constexpr int member_count<MapRoom> = 6;
 template <>
 inline constexpr int member_count<MapTopology> = 3;
 template <>
-inline constexpr int member_count<PlanePatch> = 12;
+inline constexpr int member_count<PlanePatch> = 13;
 template <>
 inline constexpr int member_count<PlanePolygon> = 3;
 template <>
@@ -81,9 +80,9 @@ membersOf(Struct& value)
     auto& [a, b, c, d, e, f, g, h, i, j] = value;
     return std::tie(a, b, c, d, e, f, g, h, i, j);
   }
-  else if constexpr (count == 12) {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l] = value;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
+  else if constexpr (count == 13) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
   }
   else {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = value;
@@ -95,9 +94,9 @@ membersOf(Struct& value)
 inline auto
 membersOf(CompactMap& map)
 {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, details] = map;
+  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, details] = map;
   (void)details;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
 }
 
 /** \brief Those that Python has; the others are places in files, which saving sets. */

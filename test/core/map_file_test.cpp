@@ -89,16 +89,6 @@ TEST_F(MapFile, EverythingComesBack)
   }
 }
 
-TEST_F(MapFile, AccuracyComesBack)
-{
-  CompactMap map = makeSampleMap();
-  EXPECT_EQ(reloaded(map).accuracy.pose, map.accuracy.pose);
-  EXPECT_EQ(reloaded(map).accuracy.drift, map.accuracy.drift);
-  EXPECT_TRUE(std::isnan(reloaded(map).accuracy.scale));
-  map.accuracy = {};
-  EXPECT_TRUE(std::isnan(reloaded(map).accuracy.pose));
-}
-
 TEST_F(MapFile, RoomsComeBack)
 {
   CompactMap map = makeSampleMap();
@@ -270,7 +260,7 @@ TEST_F(MapFile, FaultsAreNamed)
            {"/planes/0/name", 7, "planes[0].name is no text"},
            {"/planes/0/role", "roof", "planes[0].role is no role"},
            {"/planes/0/size", {1}, "planes[0].size has 1 elements"},
-           {"/accuracy/pose", "x", "accuracy.pose is no number"},
+           {"/planes/0/pose_modes/1", {1, 2}, "pose_modes[1] has 2 elements"},
            {"/planes/0/polygons/0/outer", {{1, 2, 3}}, "outer has 1 points"},
            {"/planes/0/polygons/0/outer/2", {1, 2}, "outer[2] has 2 elements"},
            {"/planes/0/polygons/0/outer/2/0", 1e39, "outer[2][0] is too large"},
@@ -349,7 +339,7 @@ TEST_F(MapFile, KeysThatAreMissingAreNamed)
       auto json = whole;
       json.at(pointer).erase(item.key());
       static const std::set<std::string> optional = {
-          "proposed", "charts", "observations", "name", "role", "size"};
+          "proposed", "charts", "observations", "name", "role", "size", "pose_modes"};
       const bool is_optional =
           place.empty() ? item.key() != "planes" : optional.count(item.key()) > 0;
       EXPECT_THAT(faultOf(json.dump()),

@@ -37,17 +37,6 @@ makeCorridor()
   return map;
 }
 
-void
-addPoses(CompactMap& map, std::initializer_list<double> places)
-{
-  for (const double y : places) {
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.translation() = Vector3d(2, y, 1);
-    map.trajectory.stamps.push_back(y);
-    map.trajectory.poses.push_back(pose);
-  }
-}
-
 TEST(PlaneDistance, IsMeasuredAtTheMiddleOfTheOverlap)
 {
   const PlaneDistance found = distanceBetween(makeCorridor(), 0, 1);
@@ -59,27 +48,32 @@ TEST(PlaneDistance, IsMeasuredAtTheMiddleOfTheOverlap)
   EXPECT_NEAR(distanceBetween(makeCorridor(), 1, 0).distance, 3, 1e-6);
 }
 
-TEST(PlaneDistance, SharedPosesCancel)
+TEST(PlaneDistance, CommonErrorsCancel)
 {
-  CompactMap map = makeCorridor();
-  addPoses(map, {0, 1, 2, 3});
-  map.accuracy = {0.01, 0.002};
   const double noise = 1e-6 + 1e-6 + 4 * 1e-8;
-  const auto variance = [&](std::vector<std::int32_t> a, std::vector<std::int32_t> b) {
-    CompactMap of = map;
-    of.observations = {std::move(a), std::move(b)};
-    for (std::size_t p = 0; p < 2; ++p)
-      of.planes[p].covariance(2, 2) += poseVariance(of, p);
-    const PlaneDistance found = distanceBetween(of, 0, 1);
-    EXPECT_FALSE(found.is_at_least);
+  const auto variance = [&](const std::vector<Vector3d>& a,
+                            const std::vector<Vector3d>& b) {
+    CompactMap map = makeCorridor();
+    map.planes[0].pose_modes = a;
+    map.planes[1].pose_modes = b;
+    for (PlanePatch& plane : map.planes)
+      for (const Vector3d& mode : plane.pose_modes)
+        plane.covariance += mode * mode.transpose();
+    const PlaneDistance found = distanceBetween(map, 0, 1);
+    EXPECT_EQ(found.is_at_least, a.empty() || b.empty());
+    EXPECT_NEAR(distanceBetween(map, 1, 0).deviation, found.deviation, 1e-9);
     return found.deviation * found.deviation;
   };
-  EXPECT_NEAR(variance({0, 1, 2, 3}, {0, 1, 2, 3}), noise, 1e-12);
-  // from places 2 m apart: two poses each, and the drift between their middles
-  EXPECT_NEAR(variance({0, 1}, {2, 3}), noise + 2 * 1e-4 / 2 + 4e-6 * 4, 1e-12);
-  EXPECT_NEAR(variance({0, 1}, {1}), noise + 1e-4 / 2 + 4e-6 / 4, 1e-12);
-  map.accuracy.scale = 0.001;
-  EXPECT_NEAR(variance({0}, {0}), noise + 9e-6, 1e-12);
+  EXPECT_NEAR(variance({}, {}), noise, 1e-12);
+  // both move along x: the normals are opposite, and so are the offsets
+  EXPECT_NEAR(variance({{0, 0, 0.01}}, {{0, 0, -0.01}}), noise, 1e-12);
+  EXPECT_NEAR(variance({{0, 0, 0.01}}, {{0, 0, 0.01}}), noise + 4e-4, 1e-12);
+  // of independent errors
+  EXPECT_NEAR(variance({{0, 0, 0.01}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0.02}}),
+              noise + 1e-4 + 4e-4,
+              1e-12);
+  // the middle is 2 m from the centre of the second wall, at -2 along its axis_u
+  EXPECT_NEAR(variance({{0, 0, 0}}, {{0.001, 0, 0}}), noise + 4e-6, 1e-12);
 }
 
 TEST(PlaneDistance, NeedsParallelPlanes)

@@ -101,6 +101,7 @@ void
 expectSamePlane(const PlanePatch& plane, const PlanePatch& wanted)
 {
   expectSameLabel(plane.label, wanted.label);
+  EXPECT_EQ(plane.pose_modes, wanted.pose_modes);
   EXPECT_TRUE(sameBits(plane.coefficients, wanted.coefficients));
   EXPECT_TRUE(sameBits(plane.center, wanted.center));
   EXPECT_TRUE(sameBits(plane.axis_u, wanted.axis_u));
@@ -240,7 +241,7 @@ makeSampleMap()
   map.recesses[0].name = "Closed door";
   map.rooms[0].label = {"Room 1", SurfaceRole::Other, {1.0 / 7, 2}};
   map.openings[0].label = {"Window of room 1", SurfaceRole::Other, {1.2, 1}};
-  map.accuracy = {0.001, 1.0 / 3000};
+  map.planes[0].pose_modes = {{1.0 / 3, -1e-17, 2}, {0, 0.1, 0.2}};
   map.observations = {{0, 1}, {}};
   map.trajectory.stamps = {0.1, 1e9 + 1.0 / 3};
   Eigen::Isometry3d pose(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized()));

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <functional>
 
 namespace pcl {
@@ -113,6 +112,11 @@ jsonOf(const PlanePatch& plane, std::size_t id)
                {"rmse", plane.rms},
                {"area", plane.area},
                {"polygons", jsonOf(plane.polygons)}};
+  if (!plane.pose_modes.empty()) {
+    Json& modes = json["pose_modes"];
+    for (const Eigen::Vector3d& mode : plane.pose_modes)
+      modes.push_back(jsonOf(mode));
+  }
   addLabel(plane.label, true, json);
   return json;
 }
@@ -390,11 +394,6 @@ acmap::writeMap(const CompactMap& map, const Write& write)
   if (map.up.isZero(0) && !map.assumed_up.isZero(0))
     write(",\"assumed_up\":" + jsonOf(map.assumed_up).dump());
   write(",\"shift\":" + jsonOf(map.shift).dump());
-  if (const MapAccuracy& accuracy = map.accuracy; std::isfinite(accuracy.pose))
-    write(",\"accuracy\":" + Json{{"pose", accuracy.pose},
-                                  {"drift", accuracy.drift},
-                                  {"scale", accuracy.scale}}
-                                 .dump());
   write(",\"planes\":[");
   writeLines(write, map.planes.size(), [&](std::size_t id) {
     Json plane = jsonOf(map.planes[id], id);

@@ -175,6 +175,11 @@ planeOf(const JsonCursor& json, std::size_t number)
   plane.polygons = polygonsOf(json.at("polygons"));
   if (json.has("proposed"))
     plane.proposed = polygonsOf(json.at("proposed"));
+  if (json.has("pose_modes")) {
+    const JsonCursor modes = json.at("pose_modes");
+    for (std::size_t k = 0; k < modes.size(); ++k)
+      plane.pose_modes.push_back(modes[k].vector<3>());
+  }
   plane.label = labelOf(json);
   return plane;
 }
@@ -515,12 +520,6 @@ acmap::readMap(const std::string& name, ByteSource& source)
     }
   if (file.has("shift"))
     map.shift = file.at("shift").vector<3>();
-  if (file.has("accuracy")) {
-    const JsonCursor accuracy = file.at("accuracy");
-    map.accuracy.pose = accuracy.at("pose").numberOrNan();
-    map.accuracy.drift = accuracy.at("drift").numberOrNan();
-    map.accuracy.scale = accuracy.at("scale").numberOrNan();
-  }
   map.observations.resize(planes.size());
   std::int64_t texels = 0;
   const auto addTexels = [&](const TexturePicture& picture, const JsonCursor& at) {

@@ -5,62 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
-#include <vector>
 
 namespace pcl {
 
 namespace {
 
 using Eigen::Vector3d;
-
-const std::vector<std::int32_t>&
-observationsOf(const CompactMap& map, std::size_t plane)
-{
-  static const std::vector<std::int32_t> none;
-  return map.observations.empty() ? none : map.observations[plane];
-}
-
-/** \brief Mean position of the observations of a plane, relative to that of all. */
-Vector3d
-placeOfObservations(const CompactMap& map,
-                    const std::vector<std::int32_t>& observations)
-{
-  Vector3d all = Vector3d::Zero(), those = Vector3d::Zero();
-  for (const Eigen::Isometry3d& pose : map.trajectory.poses)
-    all += pose.translation();
-  for (const std::int32_t one : observations)
-    those += map.trajectory.poses[static_cast<std::size_t>(one)].translation();
-  return those / static_cast<double>(observations.size()) -
-         all / static_cast<double>(map.trajectory.poses.size());
-}
-
-/** \brief Is it known what the poses add to the errors of a plane? */
-bool
-knowsPoses(const CompactMap& map, std::size_t plane)
-{
-  return std::isfinite(map.accuracy.pose + map.accuracy.drift) &&
-         !map.trajectory.poses.empty() && !observationsOf(map, plane).empty();
-}
-
-/** \brief Covariance between the offsets of two planes by their poses. */
-double
-poseCovariance(const CompactMap& map, std::size_t first, std::size_t second)
-{
-  if (!knowsPoses(map, first) || !knowsPoses(map, second))
-    return 0;
-  const std::vector<std::int32_t>& a = observationsOf(map, first);
-  const std::vector<std::int32_t>& b = observationsOf(map, second);
-  std::vector<std::int32_t> both;
-  std::set_intersection(
-      a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-  const auto count = [](const auto& list) { return static_cast<double>(list.size()); };
-  const auto squared = [](double value) { return value * value; };
-  return squared(map.accuracy.pose) * count(both) / (count(a) * count(b)) +
-         squared(map.accuracy.drift) *
-             placeOfObservations(map, a).dot(placeOfObservations(map, b));
-}
 
 void
 requirePlane(const CompactMap& map, std::size_t plane)
@@ -96,22 +47,32 @@ middleOf(const PlanePatch& first, const PlanePatch& second)
                         : both.center();
 }
 
-/** \brief Variance of a plane along its normal at a place. */
-double
-varianceAt(const PlanePatch& plane, const Vector3d& place)
+/** \brief How an offset at a place depends on slopes and offset of a plane. */
+Vector3d
+gainsAt(const PlanePatch& plane, const Vector3d& place)
 {
   const Vector3d arm = place - plane.center;
-  const Vector3d gains(arm.dot(plane.axis_u), arm.dot(plane.axis_v), 1);
-  return gains.dot(plane.covariance * gains);
+  return {arm.dot(plane.axis_u), arm.dot(plane.axis_v), 1};
+}
+
+/** \brief Variance between two planes at places.
+ * \param[in] sign that of the second normal with respect to the first one */
+double
+varianceBetween(const PlanePatch& first,
+                const Vector3d& first_place,
+                const PlanePatch& second,
+                const Vector3d& second_place,
+                double sign)
+{
+  const Vector3d a = gainsAt(first, first_place), b = gainsAt(second, second_place);
+  double variance = a.dot(first.covariance * a) + b.dot(second.covariance * b);
+  const std::size_t modes = std::min(first.pose_modes.size(), second.pose_modes.size());
+  for (std::size_t k = 0; k < modes; ++k)
+    variance -= 2 * sign * a.dot(first.pose_modes[k]) * b.dot(second.pose_modes[k]);
+  return variance;
 }
 
 } // namespace
-
-double
-acmap::poseVariance(const CompactMap& map, std::size_t plane)
-{
-  return poseCovariance(map, plane, plane);
-}
 
 PlaneDistance
 distanceBetween(const CompactMap& map, std::size_t first, std::size_t second)
@@ -131,19 +92,16 @@ distanceBetween(const CompactMap& map, std::size_t first, std::size_t second)
   const Vector3d flat = middle.x() * a.axis_u + middle.y() * a.axis_v;
   result.place = flat - a.coefficients.dot(flat.homogeneous()) * normal;
   // along the mean of both normals, which is the same in both orders
-  const Vector3d along =
-      (normal + (normal.dot(other) > 0 ? 1 : -1) * other).normalized();
+  const double sign = normal.dot(other) > 0 ? 1 : -1;
+  const Vector3d along = (normal + sign * other).normalized();
   const double from_b =
       -b.coefficients.dot(result.place.homogeneous()) / along.dot(other);
   result.distance = std::abs(from_b);
-  const double scale = std::isfinite(map.accuracy.scale) ? map.accuracy.scale : 0;
   const double variance =
-      varianceAt(a, result.place) + varianceAt(b, result.place + from_b * along) -
-      2 * poseCovariance(map, first, second) + std::pow(scale * result.distance, 2);
-  result.deviation = std::sqrt(std::max(variance, 0.0));
-  if (std::isnan(variance))
-    result.deviation = variance;
-  result.is_at_least = !knowsPoses(map, first) || !knowsPoses(map, second);
+      varianceBetween(a, result.place, b, result.place + from_b * along, sign);
+  result.deviation =
+      std::isnan(variance) ? variance : std::sqrt(std::max(variance, 0.0));
+  result.is_at_least = a.pose_modes.empty() || b.pose_modes.empty();
   return result;
 }
 

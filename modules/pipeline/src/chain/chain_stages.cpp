@@ -1,7 +1,7 @@
 #include "chain/chain_stages.h"
 #include "part_of_progress.h"
 
-#include <pcl/pipeline/pose_accuracy.h>
+#include <pcl/pipeline/pose_errors.h>
 #include <pcl/pipeline/ranked_work.h>
 #include <pcl/pipeline/sequence_adjustment.h>
 #include <pcl/pipeline/sequence_alignment.h>
@@ -303,6 +303,19 @@ runMerging(ChainState& state,
   timer.finish("read");
 }
 
+/** What is known of the poses of the map. */
+PoseErrorModel
+errorModelOf(const ChainState& state, const ChainSettings& settings)
+{
+  PoseErrorModel model;
+  for (std::size_t i = 0; i < state.observations->size(); ++i)
+    model.poses.push_back(state.observations->pose(i));
+  model.noise = state.noise;
+  if (!settings.adjust && !state.is_path_in_space)
+    model.up = state.estimated.up.value_or(-Eigen::Vector3d::UnitY());
+  return model;
+}
+
 /** II-C.1 and II-C.2 */
 void
 runPlanes(ChainState& state,
@@ -324,10 +337,11 @@ runPlanes(ChainState& state,
     planes.setCostCallback(run.cost);
   planes.setProgressCallback(run.progress);
   planes.compute(state.planes);
-  state.accuracy = measurePoseAccuracy(state.cloud.rows,
-                                       state.planes.labels,
-                                       state.planes.planes,
-                                       state.cloud.viewpoints);
+  if (state.observations)
+    addPoseErrors(state.cloud.rows,
+                  state.planes.labels,
+                  errorModelOf(state, settings),
+                  state.planes.planes);
   state.report.planes = planes.getReport();
   addRemarks(state.stage, state.report.planes.remarks);
   timer.finish("planes");
@@ -404,7 +418,7 @@ runTexturing(ChainState& state,
     map.assumed_up = found.assumed_up.cast<double>();
     map.shift = state.cloud.file->shift;
   }
-  setAccuracy(state.accuracy, map);
+
   const FloorPlan plan = makeFloorPlan(map);
   setRooms(plan, map);
   nameSurfaces(plan, map);

@@ -3,7 +3,7 @@
 #include <pcl/core/box_patch.h>
 #include <pcl/core/cylinder_patch.h>
 #include <pcl/core/image_file.h>
-#include <pcl/core/map_accuracy.h>
+
 #include <pcl/core/map_details.h>
 #include <pcl/core/plane_patch.h>
 #include <pcl/core/recess_patch.h>
@@ -156,8 +156,6 @@ struct CompactMap {
    * unless setRooms was called. */
   std::vector<MapRoom> rooms;
   std::vector<MapOpening> openings;
-
-  MapAccuracy accuracy; ///< of its planes in relation to each other
 
   /** \brief What is on none of its surfaces; written to map.glb, and not read again. */
   MapDetails details;

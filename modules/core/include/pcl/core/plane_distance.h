@@ -27,25 +27,13 @@ struct PlaneDistance {
  * rectangles around both, along the axes of the first; between their centres if they do not
  * overlap.
  *
- * Planes that the same observations saw share the errors of these poses, which then cancel.
- * With the share 1 / |A| of each observation A in its plane and the mean c of its positions,
- * \f[ \sigma^2 = \sigma_a^2 + \sigma_b^2 - 2 \left(s^2 \frac{|A \cap B|}{|A| |B|} +
- * d^2 (c_a - c)^T (c_b - c)\right) + (f \Delta)^2 \f]
- * where s, d and f are those of MapAccuracy, and the variances of the planes have their part of
- * the poses already.
+ * Its variance is that of both planes there, less what they have in common by the poses
+ * (PlanePatch::pose_modes): planes that were seen from the same places are known better with respect
+ * to each other than in the map. The scale of the sensor is not included.
  * \param[in] first, second indices in the map
  * \throws BadArgumentException when the map has no such plane, one has no polygon, or they are
  * more than 5 degrees from parallel; then the message tells the angle \ingroup core */
 ACMAP_EXPORT PlaneDistance
 distanceBetween(const CompactMap& map, std::size_t first, std::size_t second);
-
-namespace acmap {
-
-/** \brief Variance that the poses add to the offset of a plane, square metres; 0 if it is not
- * known. */
-ACMAP_EXPORT double
-poseVariance(const CompactMap& map, std::size_t plane);
-
-} // namespace acmap
 
 } // namespace pcl

@@ -78,6 +78,12 @@ struct PlanePatch {
    * Without edges; part of no area. */
   std::vector<PlanePolygon> proposed{};
 
+  /** \brief What the poses add to its errors, in common with other planes: entry k of each plane is
+   * by how much (slope along axis_u, slope along axis_v, offset) change together, by one standard
+   * deviation of the k-th independent error. The covariance includes them. Empty: not known, as
+   * for a single cloud. */
+  std::vector<Eigen::Vector3d> pose_modes{};
+
   SurfaceLabel label; ///< what it is in its building, once the map has rooms
 };
 
