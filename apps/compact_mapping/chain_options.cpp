@@ -5,6 +5,8 @@
 #include "pose_options.h"
 #include "reading_options.h"
 
+#include <pcl/texture/map_page.h>
+
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
@@ -13,6 +15,18 @@
 namespace pcl::acmap {
 
 namespace {
+
+const std::vector<std::string> all_formats = {"html", "ifc", "svg", "dxf", "geojson"};
+
+/** \brief Why a format cannot be written; empty if it can. */
+std::string
+faultOfMapFormat(const std::string& format)
+{
+  return format == "html" && !hasMapPage()
+             ? "html: this acmap was built without the modules of map.html "
+               "(ACMAP_PAGE_MODULES)"
+             : "";
+}
 
 /** \brief Adds options to a group of the help. */
 void
@@ -112,7 +126,8 @@ addMapOptions(Tool& tool, ChainOptions& options)
         ->type_name("LIST")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(CLI::IsMember(options.formats).description(""))
+        ->check(CLI::IsMember(all_formats).description(""))
+        ->check(CLI::Validator(faultOfMapFormat, ""))
         ->default_str("html,ifc,svg,dxf,geojson");
     app.add_flag_callback(
         "--no-pictures",
@@ -136,6 +151,16 @@ refuseGroup(Tool& tool,
 }
 
 } // namespace
+
+std::vector<std::string>
+formatsByDefault()
+{
+  std::vector<std::string> formats;
+  for (const std::string& format : all_formats)
+    if (faultOfMapFormat(format).empty())
+      formats.push_back(format);
+  return formats;
+}
 
 void
 addOptions(Tool& tool, ChainOptions& options)

@@ -16,6 +16,11 @@
 
 namespace pcl::acmap {
 
+/** \brief All formats of a map beside map.json, map.glb and map.obj; without html if acmap was
+ * built without the page (hasMapPage). */
+std::vector<std::string>
+formatsByDefault();
+
 /** \brief Options of the user: those of all stages. */
 struct ChainOptions {
   ChainOptions()
@@ -29,7 +34,7 @@ struct ChainOptions {
   std::string truth;   ///< simulated session to compare with; empty: none
   bool has_pictures = true;
   /** \brief Endings of those of map.html, map.ifc and the floor plans that are written. */
-  std::vector<std::string> formats = {"html", "ifc", "svg", "dxf", "geojson"};
+  std::vector<std::string> formats = formatsByDefault();
   bool rectifies = true;
   BagSettings bag;              ///< how a bag is read, and which frames of it
   bool as_recorded = false;     ///< replay a session at its pace, and map it meanwhile

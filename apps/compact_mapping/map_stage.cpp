@@ -277,6 +277,8 @@ writeMap(const ChainOptions& options,
 {
   StepTimer timer(log.report);
   const FloorPlan plan = makeFloorPlan(map);
+  if (!hasMapPage() && options.formats == formatsByDefault())
+    log.warn("no map.html: this acmap was built without its modules");
   saveCompactMap(folder.path(""), map, options.texture.outputs);
   for (const std::string& format : options.formats)
     if (format == "html")

@@ -1,16 +1,20 @@
 #include "export/map_page_parts.h"
 
 #include <pcl/core/impl/base64.h>
+#include <pcl/core/impl/map_pictures.h>
+#include <pcl/core/map_file.h>
 #include <pcl/core/output_file.h>
 #include <pcl/texture/map_page.h>
 
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
 #include <locale>
+#include <map>
+#include <set>
 #include <sstream>
 #include <string_view>
-#include <utility>
 
 namespace pcl {
 
@@ -53,27 +57,56 @@ positionsOf(const Trajectory& trajectory)
   return text.str();
 }
 
+/** The images of kinds that a map names, as an object of JSON: base64 by name. */
+std::string
+kindsOf(const CompactMap& map, const std::filesystem::path& folder)
+{
+  std::set<std::string> names;
+  for (const TexturePicture* picture : acmap::picturesOf(map))
+    if (!picture->kinds_image.empty())
+      names.insert(picture->kinds_image);
+  std::ostringstream text;
+  text << '{';
+  for (const std::string& name : names)
+    text << (name == *names.begin() ? "" : ",") << std::quoted(name) << ":\""
+         << acmap::base64(bytesOf(folder / name)) << '"';
+  text << '}';
+  return inScript(text.str());
+}
+
 } // namespace
+
+bool
+hasMapPage()
+{
+  return *acmap::mapPageScript() != 0;
+}
 
 void
 saveMapPage(const std::string& path, const std::string& map, const Trajectory& before)
 {
+  if (!hasMapPage())
+    throw acmap::InitFailed("acmap was built without the modules of its page for "
+                            "browsers (ACMAP_PAGE_MODULES)");
   const std::filesystem::path folder(map);
-  const std::pair<std::string_view, std::string> parts[] = {
-      {"three", acmap::threeScript()},
-      {"gltf_loader", acmap::gltfLoaderScript()},
-      {"orbit_controls", acmap::orbitControlsScript()},
-      {"map", inScript(bytesOf(folder / "map.json"))},
+  const std::string json = (folder / "map.json").string();
+  const std::map<std::string_view, std::string> parts = {
+      {"style", acmap::mapPageStyle()},
+      {"script", acmap::mapPageScript()},
+      {"map", inScript(bytesOf(json))},
       {"before", positionsOf(before)},
+      {"kinds", kindsOf(loadMapFile(json), folder)},
       {"glb", acmap::base64(bytesOf(folder / "map.glb"))}};
   acmap::OutputFile page(path);
+  // Marks are sought in the template alone: a part may contain braces.
   std::string_view rest = acmap::mapPageTemplate();
-  for (const auto& [name, text] : parts) {
-    const std::string mark = "{{" + std::string(name) + "}}";
-    const std::size_t at = rest.find(mark);
+  for (std::size_t at = rest.find("{{"); at != std::string_view::npos;
+       at = rest.find("{{")) {
+    const std::size_t end = rest.find("}}", at);
+    const std::string& part = parts.at(rest.substr(at + 2, end - at - 2));
     page.write(rest.data(), at);
-    page.write(text.data(), text.size());
-    rest.remove_prefix(at + mark.size());
+    page.write(part.data(), part.size());
+    rest.remove_prefix(end + 2);
   }
   page.write(rest.data(), rest.size());
   page.commit();

@@ -2,20 +2,16 @@
 
 namespace pcl::acmap {
 
-/** \brief The page with placeholders for what follows, and for the map. */
+/** \brief The page, with marks such as {{map}} for what is filled in. */
 const char*
 mapPageTemplate();
 
-/** \name three.js, https://threejs.org, MIT licence */
-///@{
 const char*
-threeScript();
+mapPageStyle();
 
+/** \brief All that the page runs, in one script, with the licences of three.js,
+ * camera-controls and three-mesh-bvh; empty if acmap was built without these. */
 const char*
-gltfLoaderScript();
-
-const char*
-orbitControlsScript();
-///@}
+mapPageScript();
 
 } // namespace pcl::acmap

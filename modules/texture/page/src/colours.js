@@ -1,0 +1,95 @@
+// Materials: colours as they are in the texture, without any light, and hatching where nobody
+// looked.
+
+import {DoubleSide, FrontSide, MeshBasicMaterial, NearestFilter, NoColorSpace, SRGBColorSpace,
+        Texture} from 'three';
+
+// Shared by all materials: is what nobody saw hatched, or left out?
+export const hatching = {value: true};
+const pixel = {value: 1}; // of the screen, in pixels of the picture
+
+export function setPixelRatio(ratio) { pixel.value = ratio; }
+
+// Thin lines over a light ground, the same on the screen at any distance.
+const hatch = `
+vec4 acmapHatch (vec3 line) {
+  float at = mod(gl_FragCoord.x + gl_FragCoord.y, 9.0 * pixel) / pixel;
+  float share = smoothstep(0.0, 0.7, at) * (1.0 - smoothstep(1.2, 1.9, at));
+  return vec4(mix(vec3(0.86, 0.88, 0.91), line, share), 1.0);
+}`;
+
+function hatchWhere(material, line, condition, attributes) {
+  material.onBeforeCompile = shader => {
+    Object.assign(shader.uniforms, {hatched: hatching, pixel}, attributes.uniforms);
+    shader.vertexShader = shader.vertexShader
+      .replace('void main() {', `${attributes.vertex}\nvoid main() {\n${attributes.main}`);
+    shader.fragmentShader = shader.fragmentShader
+      .replace('void main() {',
+               `uniform bool hatched;\nuniform float pixel;\n${attributes.fragment}\n${hatch}\nvoid main() {`)
+      .replace('#include <map_fragment>', `#include <map_fragment>
+        if (${condition}) {
+          if (!hatched) discard;
+          diffuseColor.rgb = acmapHatch(${line}).rgb;
+        }`);
+  };
+  material.customProgramCacheKey = () => condition + line;
+  return material;
+}
+
+const unseen_line = 'vec3(0.36, 0.42, 0.50)', proposed_line = 'vec3(0.16, 0.40, 0.72)';
+
+// The colours of a page of the atlas; kinds: the texture of the kinds of its texels.
+export function textureMaterial(map, kinds) {
+  const material = new MeshBasicMaterial({map, side: FrontSide, toneMapped: false});
+  if (!kinds)
+    return material;
+  return hatchWhere(material, unseen_line, 'vKind.x >= 0.0 && texture2D(kinds, vKind).r < 0.002', {
+    uniforms: {kinds: {value: kinds}},
+    vertex: 'attribute vec2 kind;\nvarying vec2 vKind;',
+    main: 'vKind = kind;',
+    fragment: 'uniform sampler2D kinds;\nvarying vec2 vKind;'
+  });
+}
+
+const nothing = {uniforms: {}, vertex: '', main: '', fragment: ''};
+
+// A surface of which nobody saw a colour.
+export const unseenMaterial = () =>
+  hatchWhere(new MeshBasicMaterial({side: FrontSide, toneMapped: false}), unseen_line, 'true', nothing);
+
+// One that nobody saw, but which must be there.
+export const proposedMaterial = () =>
+  hatchWhere(new MeshBasicMaterial({side: FrontSide, toneMapped: false}), proposed_line, 'true', nothing);
+
+export const detailMaterial = () =>
+  new MeshBasicMaterial({vertexColors: true, side: FrontSide, toneMapped: false});
+
+export function prepareTexture(texture, renderer) {
+  texture.colorSpace = SRGBColorSpace;
+  texture.anisotropy = Math.min(16, renderer.capabilities.getMaxAnisotropy());
+  texture.needsUpdate = true;
+}
+
+// Numbers of kinds, which are no colours.
+export async function kindTexture(png) {
+  const image = await createImageBitmap(new Blob([png], {type: 'image/png'}),
+                                        {colorSpaceConversion: 'none', premultiplyAlpha: 'none'});
+  const texture = new Texture(image);
+  texture.flipY = false;
+  texture.colorSpace = NoColorSpace;
+  texture.minFilter = texture.magFilter = NearestFilter;
+  texture.generateMipmaps = false;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+export function setSide(material, seen_from_behind) {
+  material.side = seen_from_behind ? DoubleSide : FrontSide;
+}
+
+// How much of a face is left, 0 to 1.
+export function setOpacity(material, opacity) {
+  material.opacity = opacity;
+  material.transparent = opacity < 1;
+  material.depthWrite = opacity === 1;
+}

@@ -1,0 +1,38 @@
+// What the page holds beside its script: map.json, the way before the rectification, map.glb
+// and the kinds of the texels.
+
+const textOf = id => document.getElementById(id)?.textContent ?? '';
+
+function parsed(id, what) {
+  try {
+    return JSON.parse(textOf(id));
+  } catch (error) {
+    throw new Error(`${what} in this page is damaged: ${error.message}`);
+  }
+}
+
+export function bytesOfBase64(text) {
+  try {
+    if (Uint8Array.fromBase64)
+      return Uint8Array.fromBase64(text);
+    const characters = atob(text);
+    const bytes = new Uint8Array(characters.length);
+    for (let i = 0; i < bytes.length; ++i)
+      bytes[i] = characters.charCodeAt(i);
+    return bytes;
+  } catch {
+    throw new Error('the surfaces in this page are damaged: they are not base64');
+  }
+}
+
+// {map, before: positions, glb: bytes, kinds: {name: bytes}}
+export function readData() {
+  const map = parsed('map_json', 'map.json');
+  if (!map || !Array.isArray(map.planes))
+    throw new Error('map.json in this page has no list of planes');
+  const kinds = {};
+  for (const [name, text] of Object.entries(parsed('kinds_json', 'the list of texels')))
+    kinds[name] = bytesOfBase64(text);
+  return {map, before: parsed('before_json', 'the way before'),
+          glb: bytesOfBase64(textOf('map_glb')), kinds};
+}
