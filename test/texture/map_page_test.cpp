@@ -2,16 +2,13 @@
 #include "temporary_folder.h"
 #include "textured_map.h"
 
-#include <pcl/core/image_file.h>
 #include <pcl/texture/compact_map_folder.h>
 #include <pcl/texture/map_page.h>
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <set>
 
 namespace pcl::acmap::test {
 namespace {
@@ -20,16 +17,20 @@ using testing::HasSubstr;
 
 class MapPage : public testing::Test {
 protected:
-  MapPage()
+  void
+  SetUp() override
   {
-    CompactMap map = makeTexturedMap();
-    map.trajectory.stamps = {0, 1};
-    map.trajectory.poses.assign(2, Eigen::Isometry3d::Identity());
-    saveCompactMap(folder_.path("map"), map);
+    if (!hasMapPage())
+      GTEST_SKIP() << "acmap was built without the modules of its page";
+    map_ = makeTexturedMap();
+    map_.trajectory.stamps = {0, 1};
+    map_.trajectory.poses.assign(2, Eigen::Isometry3d::Identity());
+    saveCompactMap(folder_.path("map"), map_);
     page_ = folder_.path("map.html");
-    saveMapPage(page_, folder_.path("map"), map.trajectory);
+    saveMapPage(page_, folder_.path("map"), map_.trajectory);
   }
 
+  CompactMap map_;
   TemporaryFolder folder_;
   std::string page_;
 };
@@ -40,11 +41,28 @@ TEST_F(MapPage, HoldsAllThatItShows)
   std::size_t map_bytes = std::filesystem::file_size(folder_.path("map/map.json"));
   map_bytes += (std::filesystem::file_size(folder_.path("map/map.glb")) + 2) / 3 * 4;
   EXPECT_LT(text.size() - map_bytes, 1000000U);
-  EXPECT_EQ(text.find("{{"), std::string::npos) << "a part is missing";
+  for (const char* mark :
+       {"{{map}}", "{{script}}", "{{glb}}", "{{kinds}}", "{{style}}"})
+    EXPECT_EQ(text.find(mark), std::string::npos) << mark << " is missing";
   for (const char* outside : {"src=\"http", "href=\"http", "@import"})
     EXPECT_EQ(text.find(outside), std::string::npos) << outside;
+  EXPECT_THAT(text, HasSubstr("id=\"kinds_json\">{\"kinds_0.png\":\"iVBORw0KGgo"));
+  EXPECT_THAT(text, HasSubstr("Permission is hereby granted, free of charge"));
   saveMapPage(page_, folder_.path("map"), {});
   EXPECT_THAT(contentOf(page_), HasSubstr("id=\"before_json\">[]<"));
+}
+
+/** What a map says can neither end an element nor be taken for a mark of the page. */
+TEST_F(MapPage, TextOfTheMapStaysText)
+{
+  const std::string file = folder_.path("map/map.json");
+  std::string json = contentOf(file);
+  json.insert(json.find('{') + 1, R"("note":"</script>{{glb}} {{none}} \"&",)");
+  std::ofstream(file) << json;
+  saveMapPage(page_, folder_.path("map"));
+  const std::string text = contentOf(page_);
+  EXPECT_THAT(text, HasSubstr(R"("note":"\u003c/script>{{glb}} {{none}} \"&")"));
+  EXPECT_THAT(text, HasSubstr("id=\"map_glb\">Z2xURg"));
 }
 
 TEST_F(MapPage, NeedsAMap)
@@ -52,52 +70,11 @@ TEST_F(MapPage, NeedsAMap)
   EXPECT_THROW(saveMapPage(page_, folder_.path("none")), InputFileException);
   EXPECT_THROW(saveMapPage(folder_.path("none/page.html"), folder_.path("map")),
                OutputFileException);
+  std::filesystem::remove(folder_.path("map/kinds_0.png"));
+  EXPECT_THROW(saveMapPage(page_, folder_.path("map")), InputFileException);
+  saveCompactMap(folder_.path("map"), map_);
   std::filesystem::remove(folder_.path("map/map.glb"));
   EXPECT_THROW(saveMapPage(page_, folder_.path("map")), InputFileException);
-}
-
-/** A browser shows the page, and its middle is clicked. */
-TEST_F(MapPage, IsShownAndClickedInABrowser)
-{
-  constexpr const char* browser = "/usr/bin/chromium";
-  if (!std::filesystem::exists(browser))
-    GTEST_SKIP() << "there is no " << browser;
-  constexpr const char* click = R"(<script>
-setInterval(() => {
-  if (document.body.dataset.state !== 'shown' || document.body.dataset.clicked)
-    return;
-  const canvas = document.querySelector('canvas');
-  const at = {clientX: window.innerWidth / 2, clientY: window.innerHeight / 2};
-  canvas.dispatchEvent(new PointerEvent('pointerdown', at));
-  canvas.dispatchEvent(new PointerEvent('pointerup', at));
-  document.body.dataset.clicked = document.getElementById('name').textContent;
-}, 50);
-</script>)";
-  std::ofstream(page_, std::ios::app) << click;
-  const auto browse = [&](const std::string& what) {
-    RunSettings settings;
-    settings.time_limit = 100;
-    return runTool(browser,
-                   {"--headless=new",
-                    "--no-sandbox",
-                    "--disable-dev-shm-usage",
-                    "--use-angle=swiftshader",
-                    "--enable-unsafe-swiftshader",
-                    "--user-data-dir=" + folder_.path("profile"),
-                    "--window-size=400,300",
-                    "--virtual-time-budget=10000",
-                    what,
-                    "file://" + page_},
-                   settings);
-  };
-  const ToolRun run = browse("--dump-dom");
-  EXPECT_THAT(run.out, HasSubstr("data-state=\"shown\"")) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("data-clicked=\"plane ")) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("root mean square"));
-  browse("--screenshot=" + folder_.path("page.png"));
-  const RgbImage picture = loadRgbImage(folder_.path("page.png"));
-  std::set<std::uint8_t> levels(picture.values.begin(), picture.values.end());
-  EXPECT_GT(levels.size(), 50U) << "the picture is empty";
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 # Makes the script of the page: its modules and those that it imports, in one, with the licences
 # of others before it, as a function of the library (acmap_write_embedded).
 #   cmake -DROOT=repository -DMODULES=node_modules -DOUTPUT=file.cpp -P bundle.cmake
+cmake_minimum_required(VERSION 3.25)
 include("${ROOT}/cmake/AcmapEmbedText.cmake")
 get_filename_component(folder "${OUTPUT}" DIRECTORY)
 set(bundle "${folder}/map_page.js")

@@ -18,10 +18,11 @@ const codes = {Escape: 27, ArrowUp: 38, ArrowDown: 40, ArrowLeft: 37, ArrowRight
 export const pause = milliseconds => new Promise(resolve => setTimeout(resolve, milliseconds));
 
 export class Browser {
-  static async start(program) {
+  // \throws when the program does not answer
+  static async start(program, more_options = []) {
     const browser = new Browser();
     browser.profile = mkdtempSync(join(tmpdir(), 'acmap_browser_'));
-    browser.process = spawn(program, [...options, `--user-data-dir=${browser.profile}`, 'about:blank'],
+    browser.process = spawn(program, [...options, ...more_options, `--user-data-dir=${browser.profile}`, 'about:blank'],
                             {stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe']});
     browser.waiting = new Map();
     browser.pages = new Map();
@@ -147,18 +148,19 @@ class Page {
   async move(x, y) { await this.call('Input.dispatchMouseEvent', {type: 'mouseMoved', x, y}); }
 
   async click(x, y) {
-    const event = {x, y, button: 'left', clickCount: 1};
-    await this.call('Input.dispatchMouseEvent', {type: 'mousePressed', ...event});
-    await this.call('Input.dispatchMouseEvent', {type: 'mouseReleased', ...event});
+    await this.mouse('mousePressed', [x, y], 1);
+    await this.mouse('mouseReleased', [x, y], 0);
   }
 
   async drag(from, to, steps = 6) {
-    await this.call('Input.dispatchMouseEvent', {type: 'mousePressed', x: from[0], y: from[1], button: 'left', clickCount: 1});
+    await this.mouse('mousePressed', from, 1);
     for (let i = 1; i <= steps; ++i)
-      await this.call('Input.dispatchMouseEvent', {
-        type: 'mouseMoved', x: from[0] + (to[0] - from[0]) * i / steps,
-        y: from[1] + (to[1] - from[1]) * i / steps, button: 'left', buttons: 1});
-    await this.call('Input.dispatchMouseEvent', {type: 'mouseReleased', x: to[0], y: to[1], button: 'left', clickCount: 1});
+      await this.mouse('mouseMoved', from.map((x, k) => x + (to[k] - x) * i / steps), 1);
+    await this.mouse('mouseReleased', to, 0);
+  }
+
+  async mouse(type, [x, y], buttons) {
+    await this.call('Input.dispatchMouseEvent', {type, x, y, button: 'left', buttons, clickCount: 1});
   }
 
   // Fingers from places to places; a tap if they stay.

@@ -55,7 +55,10 @@ export class Measuring {
   candidate(pointer, view, ray, hit, kind) {
     if (this.between === 'planes')
       return hit?.item?.normal && hit.item.kind === 'plane' ? {point: hit.point, item: hit.item, snap: null} : null;
-    return this.snapping.at(pointer, view, ray, hit, kind);
+    const found = this.snapping.at(pointer, view, ray, hit, kind);
+    if (found && view.name === 'plan') // where distances are level
+      found.point = found.point.clone().setY(this.world.box.min.y);
+    return found;
   }
 
   hover(candidate, view) {

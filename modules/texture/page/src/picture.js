@@ -18,7 +18,7 @@ export class Picture {
     this.timer = new Timer();
     this.view = null;
     this.before = [];  // called before each picture
-    this.after = null; // called once the camera rests, to finish the picture
+    this.after = () => {}; // called once the camera rests
     this.is_waiting = false;
     this.rests = 0; // timer of the rest
     this.later = 0; // frame of what appears then
@@ -28,6 +28,7 @@ export class Picture {
   change() {
     clearTimeout(this.rests);
     cancelAnimationFrame(this.later);
+    document.body.dataset.camera = 'moves';
     if (this.is_waiting)
       return;
     this.is_waiting = true;
@@ -41,8 +42,13 @@ export class Picture {
     this.render();
     if (moves)
       this.change();
-    else if (this.after)
-      this.rests = setTimeout(() => this.after(), 120);
+    else
+      this.rests = setTimeout(() => this.rest(), 120);
+  }
+
+  rest() {
+    this.after();
+    document.body.dataset.camera = 'rests';
   }
 
   render() {

@@ -57,7 +57,8 @@ export class Viewer {
   enter(name) {
     const view = this.views[name];
     for (const other of Object.values(this.views))
-      other.controls.enabled = other === view;
+      other.controls.enabled = false;
+    view.controls.enabled = true;
     for (const id of names)
       byId(id).setAttribute('aria-pressed', String(id === name));
     this.picture.view = view;
