@@ -6,7 +6,7 @@ import {join} from 'node:path';
 
 import {Browser, pause} from './browser.mjs';
 import {cameraIn, pixelOf} from './camera.mjs';
-import {boundsOfChange, commonestColour} from './pictures.mjs';
+import {boundsOfChange, commonestColour, shareDarkerThan} from './pictures.mjs';
 
 const [, , program, folder] = process.argv;
 const page_of = name => `file://${join(folder, name)}`;
@@ -96,9 +96,22 @@ async function checkColours(browser, name, size) {
   }
 }
 
+async function checkOcclusion(browser) {
+  const shares = [];
+  for (const link of ['#view=inside', '#view=inside&ao=0']) {
+    const page = await shown(browser, page_of('map.html') + link, sizes.computer);
+    await rested(page);
+    if (!link.includes('ao'))
+      await page.until(`document.body.dataset.occlusion === 'shown'`);
+    shares.push(await shareDarkerThan(browser, await withoutPanels(page), room.colour[0]));
+    await page.close();
+  }
+  expect(told('occlusion'), shares[0] > shares[1] + 0.03, `corners are not darker: ${shares}`);
+}
+
 async function checkKeys(browser) {
   const fault = told('keys');
-  const page = await shown(browser, page_of('map.html'), sizes.computer);
+  const page = await shown(browser, `${page_of('map.html')}#ao=0`, sizes.computer);
   for (const [key, view] of [['2', 'inside'], ['3', 'plan'], ['1', 'dollhouse']]) {
     await page.key(key);
     expect(fault, await page.value('document.body.dataset.view') === view, `${key} does not show ${view}`);
@@ -129,7 +142,7 @@ async function checkKeys(browser) {
 
 async function checkTouch(browser) {
   const fault = told('touch');
-  const page = await shown(browser, page_of('map.html'), sizes.telephone);
+  const page = await shown(browser, `${page_of('map.html')}#ao=0`, sizes.telephone);
   await rested(page);
   await page.touch([await point(page, table.middle)]);
   await page.until(`!${isHidden('#card')}`, 5).catch(() => fault('a tap shows no card'));
@@ -153,7 +166,7 @@ async function checkTouch(browser) {
 
 async function checkCards(browser) {
   const fault = told('cards');
-  const page = await shown(browser, page_of('map.html'), sizes.computer);
+  const page = await shown(browser, `${page_of('map.html')}#ao=0`, sizes.computer);
   await clickPlace(page, table.middle);
   await page.until(`!${isHidden('#card')}`, 5).catch(() => fault('a click shows no card'));
   await rested(page);
@@ -171,7 +184,7 @@ async function checkCards(browser) {
   expect(fault, !await again.value(isHidden('#card')), 'a link to a plane shows no card');
   await again.close();
 
-  const wall = await shown(browser, `${page_of('map.html')}#plane=3`, sizes.computer);
+  const wall = await shown(browser, `${page_of('map.html')}#plane=3&ao=0`, sizes.computer);
   await rested(wall);
   expect(fault, await wall.value(text('#name')) === 'Wall of room 1', `#plane=3 is ${await wall.value(text('#name'))}`);
   expect(fault, /door 0\.90 × 2\.00 m/.test(await wall.value(text('#openings'))), 'the card of a wall lacks its door');
@@ -187,7 +200,7 @@ async function checkCards(browser) {
 
 async function checkMeasures(browser, name, size) {
   const fault = told(`measures, ${name}`);
-  const page = await shown(browser, `${page_of('map.html')}#view=plan`, size);
+  const page = await shown(browser, `${page_of('map.html')}#view=plan&ao=0`, size);
   const press = size.touch ? async at => page.touch([at]) : async at => page.click(...at);
   const measure = async (...places) => {
     await rested(page);
@@ -205,7 +218,7 @@ async function checkMeasures(browser, name, size) {
   expect(fault, Math.abs(number(diagonal) - Math.hypot(5, 4)) < 0.001, `between opposite corners: ${diagonal}`);
   await page.press('#dollhouse');
   await page.press('#planes');
-  const from_above = '#view=dollhouse&at=3,-5,-6&to=0,0.3,0';
+  const from_above = '#view=dollhouse&at=6,-10,-12&to=0,0.3,0&ao=0';
   await page.value(`location.hash = '${from_above}'`);
   const level = await measure([1, floor, -1.5], table.middle);
   expect(fault, number(level) === 0.7, `floor to table: ${level}`);
@@ -216,7 +229,7 @@ async function checkMeasures(browser, name, size) {
   await pause(300);
   const walls = await page.value(text('#told'));
   expect(fault, number(walls) === 4 && /parallel/.test(walls), `between walls: ${walls}`);
-  const told_slanted = await page.value(`(location.hash = '#view=inside&planes=4,7', new Promise(done =>
+  const told_slanted = await page.value(`(location.hash = '#view=inside&planes=4,7&ao=0', new Promise(done =>
     setTimeout(() => done(${text('#told')}), 300)))`);
   // 2 degrees off, 1 m before the wall in its middle
   expect(fault, Math.abs(number(told_slanted) - 1) < 0.003 && /2\.0° off/.test(told_slanted), `to a slanted wall: ${told_slanted}`);
@@ -239,10 +252,12 @@ async function checkPlan(browser) {
 
 async function checkInside(browser) {
   const fault = told('inside');
-  const page = await shown(browser, `${page_of('map.html')}#view=inside`, sizes.computer);
+  const page = await shown(browser, `${page_of('map.html')}#view=inside&ao=0`, sizes.computer);
   await rested(page);
   const start = await cameraIn(page);
   expect(fault, Math.hypot(...start.at) < 0.01, `starts at ${start.at}`);
+  await page.value(`location.hash = '#view=inside&at=-1.5,0,-1&to=0,1,0.5&ao=0'`);
+  await rested(page);
   await page.click(...await point(page, [0.5, room.floor, 1.5]));
   await rested(page);
   const {at} = await cameraIn(page);
@@ -252,7 +267,7 @@ async function checkInside(browser) {
 
 async function checkLayers(browser) {
   const fault = told('layers');
-  const page = await shown(browser, page_of('map.html'), sizes.computer);
+  const page = await shown(browser, `${page_of('map.html')}#ao=0`, sizes.computer);
   const names = await page.value(`[...document.querySelectorAll('[data-layer]')].map(box => box.dataset.layer).join(' ')`);
   expect(fault, names === 'surfaces fragments unseen behind outlines names way before', `has boxes ${names}`);
   expect(fault, (await page.value(text('#layers'))).includes('(1)'), 'does not count the fragment');
@@ -291,7 +306,7 @@ try {
     await checkColours(browser, name, size);
     await checkMeasures(browser, name, size);
   }
-  for (const check of [checkKeys, checkTouch, checkCards, checkPlan, checkInside, checkLayers, checkFaults])
+  for (const check of [checkOcclusion, checkKeys, checkTouch, checkCards, checkPlan, checkInside, checkLayers, checkFaults])
     await check(browser);
 } catch (error) {
   faults.push(error.stack);

@@ -30,6 +30,15 @@ export function commonestColour(browser, png) {
     return [best >> 16, best >> 8 & 255, best & 255];`);
 }
 
+// How many of the pixels are darker than 0.9 times a level of red.
+export function shareDarkerThan(browser, png, red) {
+  return inBrowser(browser, png, `
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4)
+      count += data[i] < ${0.9 * red} && data[i] > ${0.3 * red} ? 1 : 0;
+    return count / (width * height);`);
+}
+
 // The part of the window, in its pixels, that differs from the background.
 export function boundsOfChange(browser, png, size) {
   return inBrowser(browser, png, `

@@ -1,11 +1,12 @@
 // Materials: colours as they are in the texture, without any light, and hatching where nobody
 // looked.
 
-import {DoubleSide, FrontSide, MeshBasicMaterial, NearestFilter, NoColorSpace, SRGBColorSpace,
-        Texture} from 'three';
+import {DoubleSide, FrontSide, MeshBasicMaterial} from 'three';
 
 // Shared by all materials: is what nobody saw hatched, or left out?
 export const hatching = {value: true};
+// Are the kinds of the texels unpacked?
+export const known_kinds = {value: false};
 const pixel = {value: 1}; // of the screen, in pixels of the picture
 
 export function setPixelRatio(ratio) { pixel.value = ratio; }
@@ -43,11 +44,11 @@ export function textureMaterial(map, kinds) {
   const material = new MeshBasicMaterial({map, side: FrontSide, toneMapped: false});
   if (!kinds)
     return material;
-  return hatchWhere(material, unseen_line, 'vKind.x >= 0.0 && texture2D(kinds, vKind).r < 0.002', {
-    uniforms: {kinds: {value: kinds}},
+  return hatchWhere(material, unseen_line, 'has_kinds && vKind.x >= 0.0 && texture2D(kinds, vKind).r < 0.002', {
+    uniforms: {kinds: {value: kinds}, has_kinds: known_kinds},
     vertex: 'attribute vec2 kind;\nvarying vec2 vKind;',
     main: 'vKind = kind;',
-    fragment: 'uniform sampler2D kinds;\nvarying vec2 vKind;'
+    fragment: 'uniform sampler2D kinds;\nuniform bool has_kinds;\nvarying vec2 vKind;'
   });
 }
 
@@ -64,32 +65,13 @@ export const proposedMaterial = () =>
 export const detailMaterial = () =>
   new MeshBasicMaterial({vertexColors: true, side: FrontSide, toneMapped: false});
 
-export function prepareTexture(texture, renderer) {
-  texture.colorSpace = SRGBColorSpace;
-  texture.anisotropy = Math.min(16, renderer.capabilities.getMaxAnisotropy());
-  texture.needsUpdate = true;
-}
-
-// Numbers of kinds, which are no colours.
-export async function kindTexture(png) {
-  const image = await createImageBitmap(new Blob([png], {type: 'image/png'}),
-                                        {colorSpaceConversion: 'none', premultiplyAlpha: 'none'});
-  const texture = new Texture(image);
-  texture.flipY = false;
-  texture.colorSpace = NoColorSpace;
-  texture.minFilter = texture.magFilter = NearestFilter;
-  texture.generateMipmaps = false;
-  texture.needsUpdate = true;
-  return texture;
-}
-
 export function setSide(material, seen_from_behind) {
   material.side = seen_from_behind ? DoubleSide : FrontSide;
 }
 
-// How much of a face is left, 0 to 1.
+// How much of a face is left, between 0 and 1.
 export function setOpacity(material, opacity) {
   material.opacity = opacity;
-  material.transparent = opacity < 1;
-  material.depthWrite = opacity === 1;
+  material.transparent = true;
+  material.depthWrite = false;
 }

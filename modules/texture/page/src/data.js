@@ -25,7 +25,8 @@ export function bytesOfBase64(text) {
   }
 }
 
-// {map, before: positions, glb: bytes, kinds: {name: bytes}}
+// {map, before: positions, glb: bytes, kinds: {name: bytes}, previews: {name of a page:
+// {size, jpeg: bytes}}}
 export function readData() {
   const map = parsed('map_json', 'map.json');
   if (!map || !Array.isArray(map.planes))
@@ -33,6 +34,9 @@ export function readData() {
   const kinds = {};
   for (const [name, text] of Object.entries(parsed('kinds_json', 'the list of texels')))
     kinds[name] = bytesOfBase64(text);
-  return {map, before: parsed('before_json', 'the way before'),
-          glb: bytesOfBase64(textOf('map_glb')), kinds};
+  const previews = parsed('previews_json', 'the list of small pictures');
+  for (const preview of Object.values(previews))
+    preview.jpeg = bytesOfBase64(preview.jpeg);
+  return {map, kinds, previews, before: parsed('before_json', 'the way before'),
+          glb: bytesOfBase64(textOf('map_glb'))};
 }

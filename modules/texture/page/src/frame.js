@@ -36,16 +36,16 @@ function turnAlongWalls(planes, tilt) {
 export class Frame {
   // node: that of the surfaces in map.glb, which are relative to about the middle of the map
   constructor(map, node) {
-    this.middle = node.position.clone().applyQuaternion(node.quaternion.clone().invert());
-    const up = upOf(map, node.quaternion);
-    const tilt = node.quaternion.clone();
+    this.middle = node.translation.clone().applyQuaternion(node.rotation.clone().invert());
+    const up = upOf(map, node.rotation);
+    const tilt = node.rotation.clone();
     tilt.premultiply(new Quaternion().setFromUnitVectors(up.clone().applyQuaternion(tilt), up_in_scene));
     this.rotation = new Quaternion()
       .setFromAxisAngle(up_in_scene, turnAlongWalls(map.planes, tilt)).multiply(tilt);
     this.inverse = this.rotation.clone().invert();
     this.of_glb = new Matrix4()
-      .makeRotationFromQuaternion(this.rotation.clone().multiply(node.quaternion.clone().invert()))
-      .multiply(new Matrix4().makeTranslation(node.position.clone().negate()));
+      .makeRotationFromQuaternion(this.rotation.clone().multiply(node.rotation.clone().invert()))
+      .multiply(new Matrix4().makeTranslation(node.translation.clone().negate()));
   }
 
   direction(array) { return new Vector3(...array).applyQuaternion(this.rotation); }

@@ -71,7 +71,14 @@ export class Inside {
       if (!best || distance > best.distance)
         best = {distance, direction};
     }
-    return best.direction;
+    return best.distance > 0 ? best.direction : this.towardsMiddle(at);
+  }
+
+  // Where nothing stands around: down to the floor.
+  towardsMiddle(at) {
+    const size = this.world.box.getSize(new Vector3());
+    return (size.x > size.z ? new Vector3(1, -0.5, 0) : new Vector3(0, -0.5, 1))
+      .multiplyScalar(at.x + at.z > this.world.center.x + this.world.center.z ? -1 : 1).setY(-0.5);
   }
 
   home(moves = false) {

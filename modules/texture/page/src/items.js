@@ -3,7 +3,7 @@
 
 import {Vector3} from 'three';
 
-import {capital, millimetres, namesOfPlanes, openingText, sizeOfPlane, sizeText, squareMetres}
+import {capital, countText, millimetres, namesOfPlanes, openingText, sizeOfPlane, sizeText, squareMetres}
   from './names.js';
 import {simplified} from './polygons.js';
 
@@ -27,7 +27,7 @@ export function loopsOf(polygons, frame) {
 }
 
 const bitRows = patch => Number.isFinite(patch.saved_bits)
-  ? [['saved', `${Math.round(patch.saved_bits).toLocaleString('en')} bits of the description`]] : [];
+  ? [['saved', `${countText(patch.saved_bits)} bits of the description`]] : [];
 
 function planeItem(map, id, named, frame) {
   const plane = map.planes[id];
@@ -35,7 +35,7 @@ function planeItem(map, id, named, frame) {
   const loops = loopsOf(plane.polygons, frame);
   const rows = [['number', `plane ${id}`],
                 ['equation', `(${digits([a, b, c], 4)}) · x = ${(-d).toFixed(4)} m`],
-                ['points', plane.support.toLocaleString('en')]];
+                ['points', countText(plane.support)]];
   if (plane.observations?.length > 0)
     rows.push(['seen by', `${plane.observations.length} observations`]);
   return {kind: 'plane', id, name: named.name, role: named.role, loops,
@@ -72,7 +72,7 @@ function cylinderItem(map, id, frame) {
           line: joined([squareMetres(cylinder.area), `⌀ ${diameter.toFixed(2)} × ${length.toFixed(2)} m`,
                         Number.isFinite(cylinder.rmse) && `noise ${millimetres(cylinder.rmse)}`]),
           rows: [['number', `cylinder ${id}`], ['axis', digits(cylinder.axis_direction, 4)],
-                 ['points', cylinder.support.toLocaleString('en')], ...bitRows(cylinder)],
+                 ['points', countText(cylinder.support)], ...bitRows(cylinder)],
           place: middleOf(loops), normal: cylinder.hollow ? outwards.negate() : outwards};
 }
 

@@ -21,6 +21,8 @@ function summaryOf(map) {
           ...count(map.planes, 'surface', 'surfaces')].join(' · ');
 }
 
+const twoFrames = () => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+
 async function start() {
   if (!hasWebGL())
     return fail('This browser cannot draw the map, because it has no WebGL. Another browser, ' +
@@ -30,11 +32,14 @@ async function start() {
     const picture = new Picture(document.getElementById('picture'));
     const world = await World.load(data, picture.renderer);
     document.getElementById('summary').textContent = summaryOf(data.map);
-    new Viewer(world, picture).start();
-    requestAnimationFrame(() => requestAnimationFrame(() => {
-      performance.mark('first picture');
-      document.body.dataset.state = 'shown';
-    }));
+    const viewer = new Viewer(world, picture);
+    viewer.start();
+    await twoFrames();
+    performance.mark('first picture');
+    document.body.dataset.state = 'shown';
+    await world.finish();
+    viewer.changed();
+    document.body.dataset.textures = 'whole';
   } catch (error) {
     console.error(error);
     fail(`The map cannot be shown: ${error.message}`);

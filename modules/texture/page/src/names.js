@@ -9,6 +9,9 @@ export const millimetres = value => `${metres(1000 * value, 1)} mm`;
 
 export const squareMetres = value => `${metres(value, value < 10 ? 2 : 1)} m²`;
 
+// 1234567 as '1,234,567'; toLocaleString takes 20 ms to begin.
+export const countText = value => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, ',');
+
 const isSize = size => Array.isArray(size) && size.some(side => side > 0);
 
 // [7.1, 4.0] as '7.1 × 4.0 m'; sides that nobody knows are left out

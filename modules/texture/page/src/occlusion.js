@@ -32,6 +32,14 @@ export class Occlusion {
       this.pass.setSize(width, height);
   }
 
+  // What it asks of all that is drawn.
+  giveNormals() {
+    this.picture.scene.traverse(({isMesh, geometry}) => {
+      if (isMesh && geometry.attributes.position && !geometry.attributes.normal)
+        geometry.computeVertexNormals();
+    });
+  }
+
   // Faces that fade away take no light from others.
   withoutFaded(draw) {
     const hidden = [];
@@ -52,7 +60,9 @@ export class Occlusion {
       return;
     const {renderer} = this.picture;
     this.prepare(view);
+    this.giveNormals();
     this.withoutFaded(() => this.pass.render(renderer));
+    renderer.setRenderTarget(null);
     const begun = performance.now();
     const show = () => {
       const share = Math.min(1, (performance.now() - begun) / fading);

@@ -61,7 +61,8 @@ export class Picture {
     const width = Math.max(1, window.innerWidth), height = Math.max(1, window.innerHeight);
     const ratio = Math.min(window.devicePixelRatio || 1, 3);
     setPixelRatio(ratio);
-    this.renderer.setPixelRatio(ratio);
+    if (ratio !== this.renderer.getPixelRatio()) // else the picture is made twice
+      this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     return [width, height];
   }

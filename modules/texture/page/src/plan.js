@@ -8,6 +8,7 @@ import {freeArea} from './fitting.js';
 import {axesOf, boundsOf, cutAt, flatLoop} from './polygons.js';
 
 const cut_height = 1.2, wall_thickness = 0.07; // metres
+const least_thickness = 3.5; // pixels of a wall in the whole plan
 
 // Where a plan cuts a wall: pairs of places on it, level, and whether it reaches that height.
 function cutOf(item) {
@@ -23,11 +24,11 @@ function cutOf(item) {
 }
 
 // A strip behind the face of each wall, at one height.
-function stripsOf(cuts, height) {
+function stripsOf(cuts, height, thickness) {
   const corners = [];
   for (const {parts, item} of cuts)
     for (const [from, to] of parts) {
-      const behind = item.normal.clone().setY(0).normalize().multiplyScalar(-wall_thickness);
+      const behind = item.normal.clone().setY(0).normalize().multiplyScalar(-thickness);
       const [a, b] = [from, to].map(p => p.clone().setY(height));
       const [c, d] = [a, b].map(p => p.clone().add(behind));
       for (const p of [a, b, c, b, d, c])
@@ -36,16 +37,26 @@ function stripsOf(cuts, height) {
   return new BufferGeometry().setAttribute('position', new Float32BufferAttribute(corners, 3));
 }
 
-export function wallStrips(world) {
-  const cuts = world.items.planes
-    .filter(item => Math.abs(item.normal.y) < 0.3 && item.area > 0.05 && !world.fragments.has(item.id))
-    .map(item => ({item, ...cutOf(item)}));
-  const strips = new Group();
-  for (const [is_full, colour] of [[true, 0x2b3542], [false, 0x8c97a5]])
-    strips.add(new Mesh(stripsOf(cuts.filter(cut => cut.is_full === is_full), world.box.max.y + (is_full ? 0.2 : 0.1)),
-                        new MeshBasicMaterial({color: colour, side: DoubleSide, toneMapped: false})));
-  strips.visible = false;
-  return strips;
+// Walls in the plan: dark where the cut reaches them, else grey.
+class Walls {
+  constructor(world) {
+    this.top = world.box.max.y;
+    this.cuts = world.items.planes
+      .filter(item => Math.abs(item.normal.y) < 0.3 && item.area > 0.05 && !world.fragments.has(item.id))
+      .map(item => ({item, ...cutOf(item)}));
+    this.group = new Group();
+    this.group.visible = false;
+    for (const colour of [0x2b3542, 0x8c97a5])
+      this.group.add(new Mesh(new BufferGeometry(),
+                              new MeshBasicMaterial({color: colour, side: DoubleSide, toneMapped: false})));
+  }
+
+  setThickness(thickness) {
+    this.group.children.forEach((mesh, i) => {
+      mesh.geometry.dispose();
+      mesh.geometry = stripsOf(this.cuts.filter(cut => cut.is_full === (i === 0)), this.top + 0.2 - 0.1 * i, thickness);
+    });
+  }
 }
 
 export class Plan {
@@ -63,7 +74,7 @@ export class Plan {
     this.controls.dollyToCursor = true;
     this.controls.maxPolarAngle = 0;
     this.controls.maxZoom = 1e4;
-    this.strips = wallStrips(world);
+    this.walls = new Walls(world);
   }
 
   resize(width, height) {
@@ -85,6 +96,7 @@ export class Plan {
     const y = (area.top + area.bottom) / 4 * (this.camera.top - this.camera.bottom) / zoom;
     const center = this.world.center;
     const at = isTurned ? [center.x + y, center.z - x] : [center.x + x, center.z + y];
+    this.walls.setThickness(Math.max(wall_thickness, least_thickness / zoom));
     this.look(at, zoom, isTurned ? Math.PI / 2 : 0, moves);
   }
 

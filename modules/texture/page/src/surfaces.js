@@ -3,16 +3,14 @@
 import {BufferAttribute, BufferGeometry, Group, Mesh, Vector3} from 'three';
 
 import {Belonging} from './belonging.js';
-import {kindTexture, prepareTexture, textureMaterial, unseenMaterial} from './colours.js';
+import {textureMaterial, unseenMaterial} from './colours.js';
 import {KindPlaces, picturesOf} from './kinds.js';
+import {numberIn} from './textures.js';
 
-const numberIn = name => Number(/\d+/.exec(name ?? '')?.[0] ?? -1);
-
-// The triangles of a mesh of map.glb: callback (three places in the scene, texture coordinates).
-function eachTriangle(mesh, frame, callback) {
-  const {position, uv} = mesh.geometry.attributes;
-  const index = mesh.geometry.index;
-  const to_scene = frame.of_glb.clone().multiply(mesh.matrixWorld);
+// The triangles of a part of map.glb: callback (three places in the scene, texture coordinates).
+function eachTriangle(geometry, to_scene, callback) {
+  const {position, uv} = geometry.attributes;
+  const index = geometry.index;
   const count = index ? index.count : position.count;
   for (let i = 0; i + 2 < count; i += 3) {
     const corners = [0, 1, 2].map(k => index ? index.getX(i + k) : i + k);
@@ -65,50 +63,50 @@ class SurfaceParts {
   }
 }
 
-async function kindTextures(data) {
-  const textures = {};
-  for (const [name, png] of Object.entries(data.kinds))
-    textures[name] = await kindTexture(png);
-  return textures;
-}
+// Materials by page of colours, which may be none, and page of kinds. Meshes share them, except
+// those that fade.
+class Materials {
+  constructor(pages, textures) {
+    Object.assign(this, {pages, textures, shared: new Map()});
+  }
 
-// What the material of a surface depends on: its page of colours, which may be none.
-function materialOf(entry, pages, kinds) {
-  if (entry.page === null)
-    return unseenMaterial();
-  return textureMaterial(pages.get(entry.page), entry.kinds && kinds[entry.kinds]);
+  made({page, kinds}) {
+    return page === null ? unseenMaterial()
+                         : textureMaterial(this.pages.get(page), kinds && this.textures.kinds.get(kinds).texture);
+  }
+
+  of(entry) {
+    const key = `${entry.page} ${entry.kinds}`;
+    if (!this.shared.has(key))
+      this.shared.set(key, this.made(entry));
+    return this.shared.get(key);
+  }
 }
 
 // node: 'map' of map.glb. Returns surfaces {kind, id, group}, in the order of the file.
-export async function surfacesOf(data, node, frame, renderer) {
-  const kinds = await kindTextures(data);
-  const sizeOf = name => kinds[name] && [kinds[name].image.width, kinds[name].image.height];
-  const pictures = picturesOf(data.map).map(p => ({...p, image: numberIn(p.image)}));
-  const belonging = new Belonging(data.map, frame);
+export async function surfacesOf(map, node, frame, textures) {
+  const pictures = picturesOf(map).map(p => ({...p, image: numberIn(p.image)}));
+  const belonging = new Belonging(map, frame);
   const sorted = new SurfaceParts();
   const pages = new Map();
   const has_colours = pictures.length > 0;
-  node.traverse(mesh => {
-    if (!mesh.isMesh)
-      return;
-    const texture = mesh.material.emissiveMap ?? mesh.material.map;
-    const page = numberIn(mesh.material.name);
-    if (texture)
-      prepareTexture(texture, renderer);
+  const to_scene = frame.of_glb.clone().multiply(node.matrix);
+  for (const part of node.parts) {
+    const page = numberIn(part.material);
+    const {texture, size} = part.image === null ? {texture: null, size: [1, 1]} : await textures.page(part);
     pages.set(page, texture);
-    const places_of_kinds = new KindPlaces(
-      pictures, {name: page, width: texture?.image.width ?? 1, height: texture?.image.height ?? 1});
-    eachTriangle(mesh, frame, (places, coordinates) => {
-      const kind = places_of_kinds.of(coordinates, sizeOf);
+    const kinds = new KindPlaces(pictures, {name: page, width: size[0], height: size[1]});
+    eachTriangle(part.geometry, to_scene, (places, coordinates) => {
+      const kind = kinds.of(coordinates, name => textures.kinds.get(name)?.size);
       const owner = belonging.of(...places);
       const is_coloured = texture && (kind.has_picture || !has_colours);
       sorted.at(owner, is_coloured ? page : null, kind.name).add(places, coordinates, kind.coordinates);
     });
-  });
-  return groupsOf(sorted, pages, kinds);
+  }
+  return groupsOf(sorted, new Materials(pages, textures));
 }
 
-function groupsOf(sorted, pages, kinds) {
+function groupsOf(sorted, materials) {
   const surfaces = new Map();
   for (const entry of sorted.parts.values()) {
     const key = `${entry.owner?.kind} ${entry.owner?.id}`;
@@ -116,8 +114,9 @@ function groupsOf(sorted, pages, kinds) {
       surfaces.set(key, {kind: entry.owner?.kind ?? 'other', id: entry.owner?.id ?? -1,
                          group: new Group(), is_unseen: false});
     const surface = surfaces.get(key);
-    const mesh = new Mesh(entry.part.geometry(), materialOf(entry, pages, kinds));
-    mesh.userData.surface = surface;
+    const whole = materials.of(entry);
+    const mesh = new Mesh(entry.part.geometry(), whole);
+    mesh.userData = {surface, whole, fading: () => mesh.userData.faded ??= materials.made(entry)};
     surface.group.add(mesh);
     surface.is_unseen ||= entry.page === null || entry.kinds !== null;
   }

@@ -33,7 +33,7 @@ export class Viewer {
     this.list = new List(world.items, world.fragments, item => this.goTo(item));
     this.measuring = new Measuring(world, picture.scene, this.labels, () => this.changed());
     this.occlusion = new Occlusion(picture, world);
-    picture.scene.add(world.group, this.views.plan.strips);
+    picture.scene.add(world.group, this.views.plan.walls.group);
     picture.before.push(() => this.prepare());
     picture.after = () => this.rest();
     this.visited = new Set();
@@ -62,7 +62,7 @@ export class Viewer {
     for (const id of names)
       byId(id).setAttribute('aria-pressed', String(id === name));
     this.picture.view = view;
-    this.views.plan.strips.visible = name === 'plan';
+    this.views.plan.walls.group.visible = name === 'plan';
     this.ring.hide();
     view.controls.stop();
     if (!this.visited.has(name)) {

@@ -1,16 +1,20 @@
 // All that is drawn, and what the views, cards and measures ask about it.
 
-import {BufferGeometry, Group, Line, LineBasicMaterial, LineSegments, Mesh, Sphere, Vector3} from 'three';
-import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
+import {BufferGeometry, Group, Line, LineBasicMaterial, LineSegments, Matrix4, Mesh, Quaternion, Sphere,
+        Vector3} from 'three';
 import {acceleratedRaycast, MeshBVH} from 'three-mesh-bvh';
 
-import {detailMaterial, hatching, proposedMaterial, setOpacity, setSide} from './colours.js';
+import {detailMaterial, hatching, known_kinds, proposedMaterial, setOpacity, setSide} from './colours.js';
 import {boxOf, fragmentsOf} from './fragments.js';
 import {Frame} from './frame.js';
+import {readGlb} from './glb.js';
 import {Items} from './items.js';
 import {surfacesOf} from './surfaces.js';
+import {Textures} from './textures.js';
 
 Mesh.prototype.raycast = acceleratedRaycast;
+
+const outline_material = new LineBasicMaterial({color: 0x44505e, transparent: true, opacity: 0.55});
 
 function lines(loops, material) {
   const points = loops.flatMap(loop => loop.flatMap((p, i) => [p, loop[(i + 1) % loop.length]]));
@@ -21,58 +25,52 @@ function wayOf(places, colour) {
   return new Line(new BufferGeometry().setFromPoints(places), new LineBasicMaterial({color: colour}));
 }
 
-// A mesh of map.glb in the frame of the scene.
+// A node of map.glb in the frame of the scene.
 function placed(node, frame, material) {
   const group = new Group();
-  node.traverse(part => {
-    if (!part.isMesh)
-      return;
-    const geometry = part.geometry.clone().applyMatrix4(part.matrixWorld).applyMatrix4(frame.of_glb);
-    if (!geometry.attributes.normal)
-      geometry.computeVertexNormals();
+  const to_scene = frame.of_glb.clone().multiply(node.matrix);
+  for (const {geometry} of node.parts) {
+    geometry.applyMatrix4(to_scene);
     group.add(new Mesh(geometry, material));
-  });
+  }
   return group;
 }
 
-async function nodesOf(glb) {
-  let gltf;
-  try {
-    gltf = await new GLTFLoader().parseAsync(glb.buffer, '');
-  } catch (error) {
-    throw new Error(`the surfaces in this page are damaged: ${error.message ?? error}`);
-  }
-  gltf.scene.updateMatrixWorld(true);
-  return name => gltf.scene.children.find(node => node.name === name) ?? null;
-}
+const no_node = {rotation: new Quaternion(), translation: new Vector3(), matrix: new Matrix4(), parts: []};
 
 export class World {
+  // What can be shown at once; finish() unpacks the rest.
   static async load(data, renderer) {
     const world = new World();
-    const node = await nodesOf(data.glb);
-    const surfaces_node = node('map') ?? new Group();
+    const glb = readGlb(data.glb);
+    const node = glb.node('map') ?? no_node;
     world.map = data.map;
-    world.frame = new Frame(data.map, surfaces_node);
-    world.items = new Items(data.map, world.frame);
+    world.frame = new Frame(data.map, node);
+    world.textures = new Textures(glb, data, renderer);
+    const unpacked = Promise.all(node.parts.map(part => part.image !== null && world.textures.page(part)));
+    world.items = new Items(data.map, world.frame); // while images are unpacked
     world.fragments = fragmentsOf(data.map, world.items.planes);
-    world.surfaces = await surfacesOf(data, surfaces_node, world.frame, renderer);
+    await unpacked;
+    world.surfaces = await surfacesOf(data.map, node, world.frame, world.textures);
     world.group = new Group();
     world.addSurfaces();
-    world.addLayers(data, node);
+    world.addLayers(data, name => glb.node(name));
     world.measureExtent();
+    if (!world.textures.hasPreviews)
+      await world.finish();
     return world;
   }
 
+  async finish() {
+    await this.textures.finish();
+    known_kinds.value = true;
+  }
+
   addSurfaces() {
-    const outline = new LineBasicMaterial({color: 0x44505e, transparent: true, opacity: 0.55});
     for (const surface of this.surfaces) {
       surface.item = this.items.find(surface.kind, surface.id);
       surface.is_fragment = surface.kind === 'plane' && this.fragments.has(surface.id);
       surface.meshes = [...surface.group.children];
-      if (surface.item) {
-        surface.outline = lines(surface.item.corners, outline);
-        surface.group.add(surface.outline);
-      }
       this.group.add(surface.group);
     }
   }
@@ -96,11 +94,23 @@ export class World {
     const shown = this.items.planes.filter(item => !this.fragments.has(item.id));
     const items = [...shown, ...this.items.cylinders];
     this.box = boxOf(items);
-    this.places = items.flatMap(item => item.corners.flat());
+    this.places = [...items.flatMap(item => item.corners.flat()), ...this.placesOfDetails()];
+    for (const place of this.places)
+      this.box.expandByPoint(place);
     if (this.places.length === 0)
       this.places = [this.box.min, this.box.max];
     this.center = this.box.getCenter(new Vector3());
     this.radius = Math.max(0.5, this.box.getBoundingSphere(new Sphere()).radius);
+  }
+
+  // Some of their corners, as far as they are next to what they belong to.
+  placesOfDetails() {
+    const near = this.box.clone().expandByScalar(0.3);
+    const places = [];
+    for (const {geometry: {attributes: {position}}} of this.details?.children ?? [])
+      for (let i = 0; i < position.count; i += Math.ceil(position.count / 2000))
+        places.push(new Vector3().fromBufferAttribute(position, i));
+    return places.filter(place => near.containsPoint(place));
   }
 
   // Shows what layers and the view leave of each surface.
@@ -110,12 +120,15 @@ export class World {
     for (const surface of this.surfaces) {
       const opacity = both || surface.kind !== 'plane' ? 1 : view.opacityOf(surface.item);
       surface.group.visible = layers.surfaces && opacity > 0 && (layers.fragments || !surface.is_fragment);
+      if (!surface.group.visible)
+        continue;
       for (const mesh of surface.meshes) {
+        mesh.material = opacity < 1 ? mesh.userData.fading() : mesh.userData.whole;
         setSide(mesh.material, both);
-        setOpacity(mesh.material, opacity);
+        if (opacity < 1)
+          setOpacity(mesh.material, opacity);
       }
-      if (surface.outline)
-        surface.outline.visible = layers.outlines && opacity > 0.5;
+      this.showOutline(surface, layers.outlines && opacity > 0.5);
     }
     for (const name of ['details', 'way', 'before'])
       if (this[name])
@@ -124,6 +137,13 @@ export class World {
       this.proposed.visible = layers.unseen;
     for (const part of [...(this.details?.children ?? []), ...(this.proposed?.children ?? [])])
       setSide(part.material, both);
+  }
+
+  showOutline(surface, is_shown) {
+    if (is_shown && !surface.outline && surface.item)
+      surface.group.add(surface.outline = lines(surface.item.corners, outline_material));
+    if (surface.outline)
+      surface.outline.visible = is_shown;
   }
 
   isShown(item) {

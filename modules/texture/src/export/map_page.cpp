@@ -1,46 +1,22 @@
+#include "export/map_page_images.h"
 #include "export/map_page_parts.h"
 
 #include <pcl/core/impl/base64.h>
-#include <pcl/core/impl/map_pictures.h>
 #include <pcl/core/map_file.h>
 #include <pcl/core/output_file.h>
 #include <pcl/texture/map_page.h>
 
 #include <filesystem>
 #include <fstream>
-#include <iomanip>
 #include <iterator>
 #include <locale>
 #include <map>
-#include <set>
 #include <sstream>
 #include <string_view>
 
 namespace pcl {
 
 namespace {
-
-/** \throws InputFileException when it cannot be read */
-std::string
-bytesOf(const std::filesystem::path& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(stream)),
-                    std::istreambuf_iterator<char>());
-  if (!stream || bytes.empty())
-    throw InputFileException(path.string() + ": cannot be read");
-  return bytes;
-}
-
-/** JSON as the content of a script element: no text in it ends the element. */
-std::string
-inScript(std::string json)
-{
-  for (std::size_t at = json.find('<'); at != std::string::npos;
-       at = json.find('<', at))
-    json.replace(at, 1, "\\u003c");
-  return json;
-}
 
 std::string
 positionsOf(const Trajectory& trajectory)
@@ -55,23 +31,6 @@ positionsOf(const Trajectory& trajectory)
   }
   text << ']';
   return text.str();
-}
-
-/** The images of kinds that a map names, as an object of JSON: base64 by name. */
-std::string
-kindsOf(const CompactMap& map, const std::filesystem::path& folder)
-{
-  std::set<std::string> names;
-  for (const TexturePicture* picture : acmap::picturesOf(map))
-    if (!picture->kinds_image.empty())
-      names.insert(picture->kinds_image);
-  std::ostringstream text;
-  text << '{';
-  for (const std::string& name : names)
-    text << (name == *names.begin() ? "" : ",") << std::quoted(name) << ":\""
-         << acmap::base64(bytesOf(folder / name)) << '"';
-  text << '}';
-  return inScript(text.str());
 }
 
 } // namespace
@@ -90,13 +49,15 @@ saveMapPage(const std::string& path, const std::string& map, const Trajectory& b
                             "browsers (ACMAP_PAGE_MODULES)");
   const std::filesystem::path folder(map);
   const std::string json = (folder / "map.json").string();
+  const CompactMap shown = loadMapFile(json);
   const std::map<std::string_view, std::string> parts = {
       {"style", acmap::mapPageStyle()},
       {"script", acmap::mapPageScript()},
-      {"map", inScript(bytesOf(json))},
+      {"map", acmap::inScript(acmap::bytesOf(json))},
       {"before", positionsOf(before)},
-      {"kinds", kindsOf(loadMapFile(json), folder)},
-      {"glb", acmap::base64(bytesOf(folder / "map.glb"))}};
+      {"kinds", acmap::kindsOf(shown, folder)},
+      {"previews", acmap::previewsOf(shown, folder)},
+      {"glb", acmap::base64(acmap::bytesOf(folder / "map.glb"))}};
   acmap::OutputFile page(path);
   // Marks are sought in the template alone: a part may contain braces.
   std::string_view rest = acmap::mapPageTemplate();

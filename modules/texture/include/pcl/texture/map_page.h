@@ -16,8 +16,7 @@ hasMapPage();
 /** \brief Writes a map as one HTML page that needs nothing else: no server, no network. A
  * browser with WebGL shows the textured map from outside, from within and from above, with
  * names and sizes of its surfaces, and measures in it.
- * \param[in] map folder with map.json, map.glb and the images of kinds that map.json names,
- * from \ref saveCompactMap
+ * \param[in] map folder with map.json, map.glb and the images that map.json names, from \ref saveCompactMap
  * \param[in] before poses before the rectification, which are shown beside those of the map,
  * metres; empty: none
  * \throws InitFailedException unless \ref hasMapPage
