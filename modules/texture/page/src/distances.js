@@ -17,9 +17,10 @@ function lengthText(length, first, second) {
 export function betweenPoints(first, second) {
   const difference = second.point.clone().sub(first.point);
   const length = difference.length();
-  const level = Math.hypot(difference.x, difference.z);
+  const level = Math.hypot(difference.x, difference.z), upright = Math.abs(difference.y);
   return {ends: [first.point, second.point], length, text: lengthText(length, first, second),
-          more: `level ${level.toFixed(3)} m, upright ${Math.abs(difference.y).toFixed(3)} m`};
+          more: upright < 0.0005 ? 'level' : level < 0.0005 ? 'upright'
+            : `level ${level.toFixed(3)} m, upright ${upright.toFixed(3)} m`};
 }
 
 // The middle of what two sets of loops have in common, or of the place between them.

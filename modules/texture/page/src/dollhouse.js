@@ -77,7 +77,7 @@ export class Dollhouse {
     }
     const places = item.loops.flat();
     const middle = new Box3().setFromPoints(places).getCenter(new Vector3());
-    const around = places.map(p => middle.clone().lerp(p, 1.8));
+    const around = places.map(p => middle.clone().lerp(p, 1.3));
     for (const k of [-1, 1]) // not nearer than this to small ones
       around.push(middle.clone().add(new Vector3(k, 0, k)), middle.clone().add(new Vector3(k, 0, -k)));
     this.lookAt(around, direction, freeArea(), true);

@@ -3,8 +3,8 @@
 
 import {Vector3} from 'three';
 
-import {capital, countText, millimetres, namesOfPlanes, openingText, sizeOfPlane, sizeText, squareMetres}
-  from './names.js';
+import {capital, countText, millimetres, namesOfPlanes, openingText, recessText, sizeOfPlane, sizeText,
+        squareMetres} from './names.js';
 import {simplified} from './polygons.js';
 
 const digits = (values, count) => values.map(x => Number(x).toFixed(count)).join(', ');
@@ -42,7 +42,8 @@ function planeItem(map, id, named, frame) {
           corners: loops.map(loop => simplified(loop, 0.01)),
           line: joined([squareMetres(plane.area), sizeText(sizeOfPlane(plane, frame)),
                         Number.isFinite(plane.rmse) && `noise ${millimetres(plane.rmse)}`]),
-          openings: (map.openings ?? []).filter(opening => opening.planes.includes(id)).map(openingText),
+          openings: [...(map.openings ?? []).filter(opening => opening.planes.includes(id)).map(opening => openingText(opening)),
+                     ...(map.recesses ?? []).filter(recess => recess.wall === id).map(recessText)],
           rows: [...rows, ...bitRows(plane)], area: plane.area,
           place: middleOf(loops), normal: frame.direction([a, b, c])};
 }
@@ -98,7 +99,7 @@ function roomItem(map, id, planes, frame) {
   return {kind: 'room', id, name: room.name ?? `Room ${id + 1}`, role: 'room',
           loops: floors.flatMap(item => item.loops), corners: [],
           line: joined([squareMetres(room.area), sizeText(room.size)]), area: room.area,
-          openings: openings.map(openingText),
+          openings: openings.map(opening => openingText(opening, true)),
           rows: [['floor seen', squareMetres(room.seen_area)], ['surfaces', `${room.planes.length}`]],
           place: frame.place(room.center), normal: null, planes: room.planes};
 }

@@ -91,12 +91,22 @@ export function namesOfPlanes(map, frame) {
   });
 }
 
-// A door or a window as on a card: 'door 0.97 × 2.40 m'
-export function openingText(opening) {
+// An opening or a recess as on the card of its wall, 'door 0.97 × 2.40 m', or of a room, with
+// its name.
+const sizedText = (name, size) => {
+  const known = size.filter(side => Number.isFinite(side));
+  return known.length === 2 ? `${name} ${sizeText(known, 2)}` : `${name} ${metres(known[0] ?? 0)} m wide`;
+};
+
+export function openingText(opening, has_name = false) {
   const width = Math.hypot(...opening.to.map((x, i) => x - opening.from[i]));
   const height = Number.isFinite(opening.top) ? opening.top - Math.max(0, opening.bottom ?? 0) : null;
-  const size = isSize(opening.size) ? opening.size : [width, height];
-  const known = size.filter(side => Number.isFinite(side));
-  const name = opening.name ?? opening.kind;
-  return known.length === 2 ? `${name} ${sizeText(known, 2)}` : `${name} ${metres(known[0] ?? width)} m wide`;
+  return sizedText(has_name && opening.name ? opening.name : opening.kind,
+                   isSize(opening.size) ? opening.size : [width, height]);
+}
+
+// What it is, without the room
+export function recessText(recess) {
+  const what = recess.name ? recess.name.split(/ (?:of|in|between) /)[0].toLowerCase() : 'recess';
+  return sizedText(what, recess.size.slice(0, 2));
 }
