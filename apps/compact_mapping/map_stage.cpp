@@ -29,8 +29,7 @@ constexpr const char* mesh_picture = "mesh.png";
 constexpr const char* planes_picture = "planes.png";
 constexpr std::pair<const char*, MapView::Place> map_pictures[] = {
     {"outside.png", MapView::Place::Outside},
-    {"inside.png", MapView::Place::Inside},
-    {"floor_plan.png", MapView::Place::Plan}};
+    {"inside.png", MapView::Place::Inside}};
 
 /** \brief Names of the pictures that VTK draws, relative to the folder of the map. */
 std::vector<std::string>
@@ -287,6 +286,10 @@ writeMap(const ChainOptions& options,
       saveMapIfc(folder.path("map.ifc"), map, plan);
     else
       saveFloorPlan(folder.path("floor_plan." + format), plan);
+  if (options.has_pictures) {
+    fs::create_directories(folder.path(pictureName("")));
+    saveFloorPlan(folder.path(pictureName("floor_plan.png")), plan);
+  }
   saveNormals(folder.path("mesh.ply"), found);
   stopIfInterrupted();
   std::vector<std::string> names = filesOf(folder);

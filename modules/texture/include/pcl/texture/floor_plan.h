@@ -3,6 +3,7 @@
 #include <pcl/core/compact_map.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/export.h>
+#include <pcl/core/surface_label.h>
 
 #include <Eigen/Core>
 
@@ -29,6 +30,8 @@ struct PlanWall {
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   Eigen::Vector2d to = Eigen::Vector2d::Zero(); ///< the seen side is on the left
   std::size_t plane = 0;                        ///< index in the map
+  /** \brief Wall, or Furniture or DoorLeaf for what is no wall but as high. */
+  SurfaceRole role = SurfaceRole::Wall;
 };
 
 /** \brief An opening of a wall, metres. \ingroup texture */
@@ -39,12 +42,30 @@ struct PlanOpening {
   bool is_window = false; ///< the wall continues below it; else a door or a passage
   double bottom = 0;      ///< above the floor, in its middle; 0 for a door
   double top = std::numeric_limits<double>::quiet_NaN(); ///< NaN: no wall above it
+  /** \brief Distance from the seen side back to a leaf that closes it; NaN: none was seen. */
+  double leaf = std::numeric_limits<double>::quiet_NaN();
   /** \brief Index of the room in front of the wall, and of the one behind it, or -1. */
   std::array<std::int32_t, 2> rooms{-1, -1};
 };
 
+/** \brief Furniture below the section, seen from above, metres. \ingroup texture */
+struct PlanFurniture {
+  std::vector<Eigen::Vector2d> outline;
+  double top = 0; ///< above the floor
+};
+
+/** \brief A column or a curved wall where the section cuts it, metres. \ingroup texture */
+struct PlanColumn {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  double radius = 0;
+  double begin = 0;       ///< of the part that was seen, radians from the x axis
+  double end = 0;         ///< counter-clockwise from begin
+  bool is_hollow = false; ///< seen from inside
+};
+
 /** \brief Space between walls and openings. \ingroup texture */
 struct PlanRoom {
+  std::string name; ///< of the room of the map; empty: not named
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< inside, far from its border
 
   /** \brief Square metres, with what is enclosed by its floor and its walls, such as
@@ -75,8 +96,13 @@ struct FloorPlan {
   double floor = 0; ///< height of the floor
   double cut = 0;   ///< height of the section
   std::vector<PlanWall> walls;
+  /** \brief Where walls continue that were not seen at the section, but above or below it, or
+   * where their plane is probably (PlanePatch::proposed). */
+  std::vector<PlanWall> unseen_walls;
   std::vector<PlanOpening> openings;
   std::vector<PlanRoom> rooms; ///< by decreasing area
+  std::vector<PlanFurniture> furniture;
+  std::vector<PlanColumn> columns;
 
   /** \brief Loops of the floor's polygons; a point is on the floor if it is inside of an
    * odd number of the loops of one polygon. */
@@ -118,14 +144,18 @@ makeFloorPlan(const CompactMap& map);
 ACMAP_EXPORT void
 setRooms(const FloorPlan& plan, CompactMap& map);
 
-/** \brief Writes a floor plan: the floor, walls, doors and windows, rooms with their areas, and
- * the direction of a horizontal axis of the map (z, or y where z is up).
+/** \brief Writes a floor plan.
  *
- * The ending of the path chooses the format. `.svg`: SVG 1.1 with a scale of 1 : 100 and a
- * scale bar; coordinates are metres with millimetres as decimals. `.dxf`: ASCII DXF of
- * release 12, metres, layers FLOOR, WALLS, DOORS, WINDOWS, ROOMS and NORTH. `.geojson`:
- * GeoJSON, whose coordinates are metres in the frame of the plan, and no longitudes; each
- * feature has a property `kind`, and walls and openings the number of their plane. The
+ * The ending of the path chooses the format. `.svg`, `.png` and `.dxf` are the same drawing:
+ * walls, filled between faces of both sides up to 0.6 m apart; doors with what their leaf
+ * sweeps, whose side is assumed; windows, furniture, names and areas of rooms, dimensions
+ * between the seen faces, a legend, a scale bar, and the direction of a horizontal axis of the
+ * map (z, or y where z is up). It is made for the largest scale of 1 : 50, 100, 200, 500 and so
+ * on that fits A3. `.svg`: SVG 1.1 in millimetres of the paper. `.png`: 6 pixels for each of
+ * these, drawn without a display. `.dxf`: ASCII DXF of release 12, metres, layers FLOOR,
+ * FURNITURE, WALLS, WINDOWS, DOORS, ROOMS, DIMENSIONS, NORTH and TITLE. `.geojson`: GeoJSON of
+ * the plan itself, whose coordinates are metres in the frame of the plan, and no longitudes;
+ * each feature has a property `kind`, and walls and openings the number of their plane. The
  * shift of the plan is added to the coordinates in DXF and GeoJSON; SVG names it.
  * \throws BadArgumentException for another ending
  * \throws OutputFileException when the file could not be written \ingroup texture */

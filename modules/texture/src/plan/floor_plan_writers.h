@@ -1,12 +1,19 @@
 #pragma once
 
+#include "plan/plan_drawing.h"
+
 #include <pcl/texture/floor_plan.h>
 
 #include <Eigen/Geometry>
 
 #include <string>
+#include <vector>
 
 namespace pcl::acmap {
+
+/** \brief Corners of all that is in a plan. */
+std::vector<Eigen::Vector2d>
+pointsOf(const FloorPlan& plan);
 
 /** \brief The smallest box of a plan, not empty. */
 Eigen::AlignedBox2d
@@ -29,17 +36,14 @@ offsetOf(const FloorPlan& plan)
   return {plan.shift.dot(plan.x_axis), plan.shift.dot(plan.y_axis)};
 }
 
-/** \brief Square metres with one decimal, without unit. */
+/** \brief A drawing as SVG 1.1, in millimetres of the paper. */
 std::string
-areaText(double area);
+svgOf(const PlanDrawing& drawing);
 
-/** \brief The plan as SVG 1.1, 1 : 100. */
+/** \brief A drawing as ASCII DXF of release 12, metres, one layer per kind.
+ * \param[in] offset is added to all places */
 std::string
-svgOf(const FloorPlan& plan);
-
-/** \brief The plan as ASCII DXF of release 12, metres, one layer per kind. */
-std::string
-dxfOf(const FloorPlan& plan);
+dxfOf(const PlanDrawing& drawing, const Eigen::Vector2d& offset);
 
 /** \brief The plan as GeoJSON, metres in the frame of the plan. */
 std::string

@@ -1,6 +1,8 @@
 #include <pcl/texture/floor_plan.h>
 
-#include "export/room_outline.h"
+#include "plan/opening_faces.h"
+#include "plan/plan_contents.h"
+#include "plan/room_outline.h"
 
 #include <pcl/core/map_up.h>
 
@@ -26,7 +28,11 @@ using Eigen::Vector3d;
 using acmap::level_cosine;
 using acmap::upright_cosine;
 
-constexpr double thickest_wall = 0.6, widest_opening = 4; // metres
+using acmap::areFaces;
+using acmap::frontOf;
+using acmap::thickest_wall;
+
+constexpr double widest_opening = 4; // metres
 
 /** \brief Part of a wall along a direction, metres. */
 struct Interval {
@@ -38,15 +44,6 @@ struct Cover {
   std::size_t plane; ///< index in the map
   std::vector<std::vector<Vector2d>> loops;
 };
-
-/** \brief The side from which a wall or an opening of a plan is seen. */
-template <typename Segment>
-Vector2d
-frontOf(const Segment& one)
-{
-  const Vector2d along = (one.to - one.from).normalized();
-  return {-along.y(), along.x()};
-}
 
 bool
 isFinite(const PlanePatch& plane)
@@ -206,18 +203,6 @@ meet(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d)
   };
   return (side(a, b, c) > 0) != (side(a, b, d) > 0) &&
          (side(c, d, a) > 0) != (side(c, d, b) > 0);
-}
-
-/** \brief Are these one opening, seen from both sides of a wall? */
-bool
-areFaces(const PlanOpening& one, const PlanOpening& other)
-{
-  const Vector2d along = (one.to - one.from).normalized();
-  const Vector2d middle = (other.from + other.to) / 2 - one.from;
-  const double behind = -middle.dot(frontOf(one));
-  return one.is_window == other.is_window && frontOf(one).dot(frontOf(other)) < 0 &&
-         behind >= 0 && behind <= thickest_wall && middle.dot(along) >= 0 &&
-         middle.dot(along) <= (one.to - one.from).norm();
 }
 
 /** \brief Makes a plan. */
@@ -408,21 +393,23 @@ private:
       addOpening(wall, pieces.back().end, *corner);
   }
 
-  /** \brief Adds a gap of a wall, if it is an opening. */
+  /** \brief Adds a gap of a wall as an opening, or as a part of the wall that was not seen. */
   void
   addOpening(const Wall& wall, double begin, double end)
   {
     constexpr double narrowest = 0.4;
-    if (end - begin < narrowest || end - begin > widest_opening ||
-        isHidden(wall, begin, end))
+    if (end - begin > widest_opening)
       return;
     PlanOpening opening{flat(wall, begin), flat(wall, end), wall.plane()};
     const Frame middle = frameAt(wall, (begin + end) / 2);
     opening.is_window = middle.bottom > 0;
     opening.bottom = middle.bottom;
     opening.top = middle.top;
-    if (opening.is_window ? isLevel(wall, begin, end) : std::isfinite(opening.top))
+    if (end - begin >= narrowest && !isHidden(wall, begin, end) &&
+        (opening.is_window ? isLevel(wall, begin, end) : std::isfinite(opening.top)))
       plan_.openings.push_back(opening);
+    else if (opening.is_window || std::isfinite(opening.top))
+      plan_.unseen_walls.push_back({opening.from, opening.to, opening.plane});
   }
 
   /** \brief What a wall leaves open at the section, metres above the floor. */
@@ -854,6 +841,10 @@ makeFloorPlan(const CompactMap& map)
   FloorCells cells(plan);
   plan.rooms = cells.rooms();
   cells.join(maker.covers(), plan);
+  if (plan.rooms.size() == map.rooms.size())
+    for (std::size_t room = 0; room < plan.rooms.size(); ++room)
+      plan.rooms[room].name = map.rooms[room].label.name;
+  acmap::addContents(map, plan);
   return plan;
 }
 

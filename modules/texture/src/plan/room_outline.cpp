@@ -1,4 +1,4 @@
-#include "export/room_outline.h"
+#include "plan/room_outline.h"
 
 #include <pcl/core/impl/polyline_corners.h>
 

@@ -1,4 +1,4 @@
-#include "export/floor_plan_writers.h"
+#include "plan/floor_plan_writers.h"
 
 #include <cmath>
 #include <locale>
