@@ -18,7 +18,7 @@ constexpr const char *plan_name = "floor_plan.png", *mesh_name = "mesh.png";
 constexpr std::pair<const char*, const char*> captions[] = {
     {"inside.png", "The map from inside, textured."},
     {"outside.png", "The map from outside, without the faces that look away."},
-    {plan_name, "Floor plan: walls as lines, and the way of the camera."},
+    {plan_name, "Floor plan: walls, doors, windows, rooms and their dimensions."},
     {"planes.png", "The mesh, in colours by plane."},
     {mesh_name, "The mesh of the consolidated points."},
     {"plan.png",

@@ -3,12 +3,15 @@
 #include "simulated_clouds.h"
 #include "temporary_folder.h"
 
+#include <pcl/core/map_file.h>
 #include <pcl/pipeline/plane_mapping.h>
 #include <pcl/pipeline/surface_names.h>
 #include <pcl/texture/floor_plan.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -52,36 +55,69 @@ readDxf(const std::string& text)
   return shapes;
 }
 
+/** \brief Path of a file that is kept, if the environment variable ACMAP_PLANS names a folder:
+ * drawings, and maps, which the next run takes from there. */
+std::string
+keptPath(const std::string& name)
+{
+  const char* const folder = std::getenv("ACMAP_PLANS");
+  return folder ? std::string(folder) + "/" + name : std::string();
+}
+
+/** \brief Tells what is wrong with a plan that is kept. */
+void
+tell(const PlanScene& truth, const std::string& what, const Vector2d& from, const Vector2d& to)
+{
+  if (!keptPath("").empty())
+    std::cerr << truth.name << ": " << what << " from " << from.transpose() << " to "
+              << to.transpose() << "\n";
+}
+
+/** \brief The map of all views with their true poses, as the chain makes it. */
+CompactMap
+mapOf(const SimulatedScene& scene)
+{
+  const SimulatedCloud all = makeSceneCloud(scene);
+  const auto file = std::make_shared<PointCloudFile>();
+  file->cloud = cloudOf(all.merged);
+  PlaneMapping mapping;
+  mapping.setInputCloud(file);
+  mapping.setViewpoints(all.sensorOrigins());
+  mapping.setComputeCylinders(true);
+  mapping.setComputeBoxes(true);
+  MappedPlanes found;
+  mapping.compute(found);
+  CompactMap map;
+  map.planes = found.planes;
+  map.cylinders = found.cylinders;
+  map.boxes = found.boxes;
+  map.recesses = found.recesses;
+  map.trajectory = all.merged.trajectory;
+  return map;
+}
+
 /** \brief A plan in the coordinates of its scene: x and z. */
 class JudgedPlan {
 public:
   explicit JudgedPlan(const PlanScene& truth)
   : T_scene_map_(truth.scene.views.front())
   {
-    const SimulatedCloud all = makeSceneCloud(truth.scene);
-    const auto file = std::make_shared<PointCloudFile>();
-    file->cloud = cloudOf(all.merged);
-    PlaneMapping mapping;
-    mapping.setInputCloud(file);
-    mapping.setViewpoints(all.sensorOrigins());
-    mapping.setComputeCylinders(true);
-    mapping.setComputeBoxes(true);
-    MappedPlanes found;
-    mapping.compute(found);
-    map.planes = found.planes;
-    map.cylinders = found.cylinders;
-    map.boxes = found.boxes;
-    map.recesses = found.recesses;
-    map.trajectory = all.merged.trajectory;
+    const std::string kept = keptPath(truth.name + ".json");
+    if (std::filesystem::exists(kept))
+      map = loadMapFile(kept);
+    else
+      map = mapOf(truth.scene);
+    if (!kept.empty())
+      saveMapFile(kept, map);
     setRooms(makeFloorPlan(map), map);
     nameSurfaces(makeFloorPlan(map), map);
     plan = makeFloorPlan(map);
     const test::TemporaryFolder folder;
     saveFloorPlan(folder.path("plan.dxf"), plan);
     drawing = readDxf(test::contentOf(folder.path("plan.dxf")));
-    if (const char* pictures = std::getenv("ACMAP_PLANS"))
+    if (!kept.empty())
       for (const char* ending : {".png", ".svg"})
-        saveFloorPlan(std::string(pictures) + "/" + truth.name + ending, plan);
+        saveFloorPlan(keptPath(truth.name + ending), plan);
   }
 
   Vector2d
@@ -143,6 +179,25 @@ struct PlanScores {
 
 constexpr double sample_step = 0.05, same_wall = 0.03, min_cosine = 0.98;
 
+constexpr double max_error = 0.02; // metres
+
+/** \brief Adds the error of a dimension. \param[in] place of it */
+void
+addError(const PlanScene& truth,
+         const std::string& kind,
+         double found,
+         double real,
+         const Vector2d& place,
+         PlanScores& scores)
+{
+  scores.dimensions.push_back(found - real);
+  if (!(std::abs(found - real) <= max_error))
+    tell(truth,
+         kind + " " + std::to_string(found) + " instead of " + std::to_string(real),
+         place,
+         place);
+}
+
 /** \brief Distance from a face to the nearest one of the others there, along its normal; NaN if
  * none is within a reach. */
 template <typename Faces>
@@ -203,11 +258,16 @@ scoreWalls(const PlanScene& truth, const JudgedPlan& judged, PlanScores& scores)
         scores.found_walls.insert(wall);
     }
   constexpr double near = 0.1; // metres
-  for (const Segment& face : drawn)
+  for (const Segment& face : drawn) {
+    double wrong = 0;
     forEachSample(face, [&](const Vector2d& place) {
       if (std::isnan(offsetAt(place, face.front(), exists, near)))
-        scores.wrong += sample_step;
+        wrong += sample_step;
     });
+    scores.wrong += wrong;
+    if (wrong > smallest)
+      tell(truth, "wrong wall", face.from, face.to);
+  }
 }
 
 bool
@@ -240,30 +300,32 @@ scoreOpenings(const PlanScene& truth, const JudgedPlan& judged, PlanScores& scor
         continue;
       is_found = true;
       if (isSeen(truth, opening)) {
-        scores.dimensions.push_back(drawn.length() - segment.length());
-        scores.dimensions.push_back(other.top - other.bottom -
-                                    (opening.top - opening.bottom));
+        addError(truth, "width", drawn.length(), segment.length(), middle, scores);
+        addError(truth,
+                 "height",
+                 other.top - other.bottom,
+                 opening.top - opening.bottom,
+                 middle,
+                 scores);
       }
     }
     if (isSeen(truth, opening)) {
       ++(opening.is_window ? scores.windows : scores.doors);
       (opening.is_window ? scores.found_windows : scores.found_doors) += is_found;
-      if (!is_found && std::getenv("ACMAP_PLANS"))
-        std::cerr << truth.name << ": missing " << (opening.is_window ? "window" : "door")
-                  << " from " << opening.from.transpose() << " to "
-                  << opening.to.transpose() << "\n";
+      if (!is_found)
+        tell(truth,
+             opening.is_window ? "missing window" : "missing door",
+             opening.from,
+             opening.to);
     }
   }
   for (std::size_t k = 0; k < is_true.size(); ++k)
     if (!is_true[k]) {
       ++scores.wrong_openings;
-      if (std::getenv("ACMAP_PLANS"))
-        std::cerr << truth.name << ": wrong "
-                  << (judged.map.openings[k].kind == OpeningKind::Window ? "window"
-                                                                         : "door")
-                  << " from " << judged.inScene(judged.map.openings[k].from).transpose()
-                  << " to " << judged.inScene(judged.map.openings[k].to).transpose()
-                  << "\n";
+      tell(truth,
+           "wrong opening",
+           judged.inScene(judged.map.openings[k].from),
+           judged.inScene(judged.map.openings[k].to));
     }
 }
 
@@ -297,15 +359,17 @@ scoreLengths(const PlanScene& truth, const JudgedPlan& judged, PlanScores& score
     if (face.wall >= 0)
       exists.push_back({face.from, face.to});
   constexpr double other_wall = 0.1; // metres: then it is not the same one
-  const auto compare = [&](double found, double real) {
+  const auto compare = [&](const char* kind, double found, double real, const Vector2d& place) {
     if (std::abs(found - real) < other_wall)
-      scores.dimensions.push_back(found - real);
+      addError(truth, kind, found, real, place, scores);
   };
   for (const PlanRoom& room : judged.plan.rooms) {
     const Vector2d center = judged.inScene(room.center);
     for (const Vector2d& way : {Vector2d(1, 0), Vector2d(0, 1)})
-      compare(spanTo(center, way, drawn) + spanTo(center, -way, drawn),
-              spanTo(center, way, exists) + spanTo(center, -way, exists));
+      compare("span",
+              spanTo(center, way, drawn) + spanTo(center, -way, drawn),
+              spanTo(center, way, exists) + spanTo(center, -way, exists),
+              center);
   }
   for (const DrawnShape& shape : judged.drawing)
     if (shape.kind == "SOLID" && shape.layer == "WALLS" && shape.color == 0) {
@@ -321,8 +385,10 @@ scoreLengths(const PlanScene& truth, const JudgedPlan& judged, PlanScores& score
       for (const Segment& one : exists)
         backs.push_back({one.to, one.from}); // seen from inside of the wall
       const double off = offsetAt(middle, face.front(), exists, other_wall);
-      compare(thickness, spanTo(middle + off * face.front() * 1.0001 + 1e-4 * inwards,
-                                inwards, backs) + 1e-4);
+      compare("thickness",
+              thickness,
+              spanTo(middle + off * face.front() + 1e-4 * inwards, inwards, backs) + 1e-4,
+              middle);
     }
 }
 
@@ -334,12 +400,11 @@ print(const PlanScene& truth)
   scoreWalls(truth, judged, scores);
   scoreOpenings(truth, judged, scores);
   scoreLengths(truth, judged, scores);
-  constexpr double limit = 0.02; // metres
   std::vector<double> errors;
   for (const double error : scores.dimensions)
     errors.push_back(std::abs(error));
   const auto within =
-      std::count_if(errors.begin(), errors.end(), [](double e) { return e <= limit; });
+      std::count_if(errors.begin(), errors.end(), [](double e) { return e <= max_error; });
   const auto shareOf = [](std::size_t found, std::size_t all) {
     return std::to_string(found) + " of " + std::to_string(all);
   };

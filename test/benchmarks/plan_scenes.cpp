@@ -190,20 +190,39 @@ private:
   std::vector<std::array<Vector2d, 3>> triangles_;
 };
 
-/** \brief Adds a product as rectangles; one of many small triangles, such as a chair, as its
- * box. */
+/** \brief Is it one of many small triangles, such as a chair? Then it becomes its box. */
+bool
+isFine(const Shape& shape)
+{
+  constexpr std::size_t many = 300;
+  return shape.type == "IfcFurnishingElement" && shape.triangles.size() > many;
+}
+
+/** \brief The sides of a box, as triangles that look outwards. */
+std::vector<std::array<Vector3d, 3>>
+sidesOf(const Eigen::AlignedBox3d& box)
+{
+  std::vector<std::array<Vector3d, 3>> triangles;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-0.5, 0.5}) {
+      const auto at = [&](double u, double v) -> Vector3d {
+        Vector3d off;
+        off[axis] = side;
+        off[(axis + 1) % 3] = side > 0 ? u : v;
+        off[(axis + 2) % 3] = side > 0 ? v : u;
+        return box.center() + off.cwiseProduct(box.sizes());
+      };
+      triangles.push_back({at(-0.5, -0.5), at(0.5, -0.5), at(0.5, 0.5)});
+      triangles.push_back({at(-0.5, -0.5), at(0.5, 0.5), at(-0.5, 0.5)});
+    }
+  return triangles;
+}
+
+/** \brief Adds a product as rectangles. */
 void
 addShape(const Shape& shape, const std::string& name, SceneGeometry& geometry)
 {
-  constexpr std::size_t many = 600;
   const SurfaceLook look{{160, 160, 160}, 4};
-  const Eigen::AlignedBox3d box = shape.box();
-  if (shape.triangles.empty() || box.sizes().minCoeff() < 0.005)
-    return;
-  if (shape.triangles.size() > many) {
-    geometry.addBox(name, box.min(), box.max(), look);
-    return;
-  }
   std::vector<FlatPart> parts;
   for (const auto& triangle : shape.triangles) {
     const Vector3d normal =
@@ -441,7 +460,7 @@ modelPlanScene(const std::string& model, double floor)
   const auto path = shapesOf(model, folder);
   if (!path)
     return {};
-  const std::vector<Shape> shapes = readShapes(*path);
+  std::vector<Shape> shapes = readShapes(*path);
   PlanScene result;
   result.name = model + ", " + std::to_string(floor).substr(0, 3) + " m";
   result.floor = -floor;
@@ -450,12 +469,14 @@ modelPlanScene(const std::string& model, double floor)
   result.scene.rig = standardScene("room").rig;
   result.scene.sensor.points = 12000;
   for (std::size_t s = 0; s < shapes.size(); ++s) {
-    const Shape& shape = shapes[s];
+    Shape& shape = shapes[s];
     const bool is_hole = shape.type == "IfcOpeningElement" || shape.type == "IfcSpace" ||
                          shape.type == "IfcDoor" || shape.type == "IfcWindow" ||
-                         shape.type == "IfcSite";
+                         shape.type == "IfcSite" || shape.type == "IfcRailing";
     if (is_hole)
       continue;
+    if (isFine(shape))
+      shape.triangles = sidesOf(shape.box());
     addShape(shape, shape.type + " " + std::to_string(s), result.scene.geometry);
     const int wall = startsWith(shape.type, "IfcWall") ? static_cast<int>(s) : -1;
     for (const auto& triangle : shape.triangles)

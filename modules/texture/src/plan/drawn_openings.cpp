@@ -49,6 +49,29 @@ depthBeside(const PlanOpening& opening, const std::vector<WallBody>& bodies)
   return 0;
 }
 
+/** \brief How far back the reveals beside an opening were seen, or 0. */
+double
+depthOfReveals(const PlanOpening& opening, const FloorPlan& plan)
+{
+  constexpr double same = 0.06, max_cosine = 0.1; // metres
+  const Vector2d along = (opening.to - opening.from).normalized();
+  const Vector2d front = frontOf(opening);
+  double depth = 0;
+  for (const PlanWall& wall : plan.walls) {
+    const Vector2d way = (wall.to - wall.from).normalized();
+    const double near = std::min(-front.dot(wall.from - opening.from),
+                                 -front.dot(wall.to - opening.from)),
+                 far = std::max(-front.dot(wall.from - opening.from),
+                                -front.dot(wall.to - opening.from));
+    for (const Vector2d& side : {opening.from, opening.to})
+      if (std::abs(along.dot(way)) < max_cosine &&
+          std::abs(along.dot(wall.from - side)) < same && std::abs(near) < same &&
+          far < thickest_wall)
+        depth = std::max(depth, far);
+  }
+  return depth;
+}
+
 /** \brief Does a leaf turn towards the front of the opening? */
 bool
 opensToFront(const DrawnOpening& opening)
@@ -106,7 +129,8 @@ drawnOpeningsOf(const FloorPlan& plan, const std::vector<WallBody>& bodies, doub
     if (!opening.is_measured) {
       opening.depth = depthBeside(opening.face, bodies);
       opening.is_measured = opening.depth > 0;
-      opening.depth = opening.is_measured ? opening.depth : strip;
+      if (!opening.is_measured)
+        opening.depth = std::max(strip, depthOfReveals(opening.face, plan));
     }
     opening.opens_to_front = opensToFront(opening);
     findHinge(plan, opening);

@@ -2,7 +2,9 @@
 
 #include "plan/opening_faces.h"
 #include "plan/plan_contents.h"
+#include "plan/polygon_inside.h"
 #include "plan/room_outline.h"
+#include "plan/unseen_borders.h"
 
 #include <pcl/core/map_up.h>
 
@@ -30,13 +32,16 @@ using acmap::upright_cosine;
 
 using acmap::areFaces;
 using acmap::frontOf;
+using acmap::isInside;
 using acmap::thickest_wall;
 
-constexpr double widest_opening = 4; // metres
+// metres; below a sill of this height, an opening is a door
+constexpr double widest_opening = 4, widest_window = 6, lowest_sill = 0.07;
 
-/** \brief Part of a wall along a direction, metres. */
+/** \brief Part of a wall along a direction, metres, with what is beyond its ends. */
 struct Interval {
   double begin, end;
+  EdgeKind begin_kind = EdgeKind::Open, end_kind = EdgeKind::Open;
 };
 
 /** \brief A polygon that is not upright, seen from above. */
@@ -78,6 +83,24 @@ loopsOf(const PlanePolygon& polygon)
   return loops;
 }
 
+/** \brief For each loop of a polygon, what is beyond the edges from its points to the next. */
+std::vector<std::vector<EdgeKind>>
+edgeKindsOf(const PlanePolygon& polygon)
+{
+  std::vector<std::vector<EdgeKind>> kinds;
+  std::size_t first = 0;
+  const auto take = [&](std::size_t count) {
+    kinds.emplace_back(count, EdgeKind::Open);
+    for (std::size_t k = 0; k < count && first + k < polygon.edges.size(); ++k)
+      kinds.back()[k] = polygon.edges[first + k].kind;
+    first += count;
+  };
+  take(polygon.outer.size());
+  for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
+    take(hole.size());
+  return kinds;
+}
+
 /** \brief An upright plane. */
 class Wall {
 public:
@@ -89,8 +112,10 @@ public:
                 .normalized())
   , along_(normal_.cross(up))
   {
-    for (const PlanePolygon& polygon : patch.polygons)
+    for (const PlanePolygon& polygon : patch.polygons) {
       polygons_.push_back(loopsOf(polygon));
+      kinds_.push_back(edgeKindsOf(polygon));
+    }
     origin_ = patch.polygons.front().outer.front().cast<double>();
     for (const auto& loops : polygons_)
       for (const Vector3d& place : loops.front())
@@ -152,26 +177,33 @@ private:
   cut(const Vector3d& normal, double distance, const Vector3d& direction) const
   {
     std::vector<Interval> intervals;
-    for (const auto& loops : polygons_) {
-      std::vector<double> crossings;
-      for (const std::vector<Vector3d>& loop : loops)
+    for (std::size_t p = 0; p < polygons_.size(); ++p) {
+      std::vector<std::pair<double, EdgeKind>> crossings;
+      for (std::size_t l = 0; l < polygons_[p].size(); ++l) {
+        const std::vector<Vector3d>& loop = polygons_[p][l];
         for (std::size_t k = 0; k < loop.size(); ++k) {
           const Vector3d a = loop[k] - origin_;
           const Vector3d b = loop[(k + 1) % loop.size()] - origin_;
           const double before = a.dot(normal) - distance,
                        behind = b.dot(normal) - distance;
           if ((before > 0) != (behind > 0))
-            crossings.push_back(
-                (a + before / (before - behind) * (b - a)).dot(direction));
+            crossings.emplace_back(
+                (a + before / (before - behind) * (b - a)).dot(direction),
+                kinds_[p][l][k]);
         }
+      }
       std::sort(crossings.begin(), crossings.end());
       for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
-        intervals.push_back({crossings[k], crossings[k + 1]});
+        intervals.push_back({crossings[k].first,
+                             crossings[k + 1].first,
+                             crossings[k].second,
+                             crossings[k + 1].second});
     }
     return joined(std::move(intervals));
   }
 
-  /** \brief Polygons may touch or overlap. */
+public:
+  /** \brief Joins intervals that touch or overlap, as polygons may; ascending. */
   static std::vector<Interval>
   joined(std::vector<Interval> intervals)
   {
@@ -182,15 +214,19 @@ private:
     for (const Interval& one : intervals)
       if (result.empty() || one.begin > result.back().end)
         result.push_back(one);
-      else
-        result.back().end = std::max(result.back().end, one.end);
+      else if (one.end > result.back().end) {
+        result.back().end = one.end;
+        result.back().end_kind = one.end_kind;
+      }
     return result;
   }
 
+private:
   std::size_t plane_;
   Eigen::Vector4d coefficients_;
   Vector3d up_, normal_, along_, origin_;
   std::vector<std::vector<std::vector<Vector3d>>> polygons_;
+  std::vector<std::vector<std::vector<EdgeKind>>> kinds_; ///< of their edges
   double minimum_ = std::numeric_limits<double>::infinity();
 };
 
@@ -204,6 +240,13 @@ meet(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d)
   return (side(a, b, c) > 0) != (side(a, b, d) > 0) &&
          (side(c, d, a) > 0) != (side(c, d, b) > 0);
 }
+
+/** \brief A polygon of a level plane, seen from above. */
+struct Level {
+  double height; ///< above the floor
+  Eigen::AlignedBox2d box;
+  std::vector<std::vector<Vector2d>> loops;
+};
 
 /** \brief Makes a plan. */
 class PlanMaker {
@@ -244,6 +287,11 @@ public:
         cover(*plane, static_cast<std::size_t>(plane - map.planes.data()));
     for (const Cover& floor : covers_)
       plan_.floors.push_back(floor.loops);
+    for (const PlanePatch* plane : floors)
+      if (const double height = heightOf(*plane) - plan_.floor;
+          height > lowest_sill && height < plan_.cut - plan_.floor)
+        for (const PlanePolygon& polygon : plane->polygons)
+          addLevel(height, flatLoopsOf(polygon));
     for (const std::size_t p : facing_down)
       if (reachesAboveCut(map.planes[p]))
         cover(map.planes[p], p);
@@ -265,6 +313,7 @@ public:
             {flat(wall, piece.begin), flat(wall, piece.end), wall.plane()});
     for (const Wall& wall : walls_)
       addOpenings(wall);
+    acmap::addHiddenCorners(plan_);
     return plan_;
   }
 
@@ -368,85 +417,261 @@ private:
   void
   cover(const PlanePatch& plane, std::size_t number)
   {
-    for (const PlanePolygon& polygon : plane.polygons) {
-      auto& loops = covers_.emplace_back(Cover{number, {}}).loops;
-      for (const std::vector<Vector3d>& loop : loopsOf(polygon)) {
-        loops.emplace_back();
-        for (const Vector3d& place : loop)
-          loops.back().push_back(flat(place));
-      }
+    for (const PlanePolygon& polygon : plane.polygons)
+      covers_.push_back({number, flatLoopsOf(polygon)});
+  }
+
+  void
+  addLevel(double height, std::vector<std::vector<Vector2d>> loops)
+  {
+    Eigen::AlignedBox2d box;
+    for (const Vector2d& place : loops.front())
+      box.extend(place);
+    levels_.push_back({height, box, std::move(loops)});
+  }
+
+  std::vector<std::vector<Vector2d>>
+  flatLoopsOf(const PlanePolygon& polygon) const
+  {
+    std::vector<std::vector<Vector2d>> loops;
+    for (const std::vector<Vector3d>& loop : loopsOf(polygon)) {
+      loops.emplace_back();
+      for (const Vector3d& place : loop)
+        loops.back().push_back(flat(place));
     }
+    return loops;
   }
 
   /** \brief Adds the openings between the pieces of a wall, and those at its ends. */
   void
   addOpenings(const Wall& wall)
   {
-    const std::vector<Interval> pieces = wall.section(plan_.cut);
-    if (pieces.empty())
+    if (wall.section(plan_.cut).empty())
       return;
-    if (const auto corner = cornerBeyond(wall, pieces.front().begin, -1))
-      addOpening(wall, *corner, pieces.front().begin);
+    const std::vector<Interval> pieces = piecesInLine(wall);
     for (std::size_t k = 0; k + 1 < pieces.size(); ++k)
-      addOpening(wall, pieces[k].end, pieces[k + 1].begin);
-    if (const auto corner = cornerBeyond(wall, pieces.back().end, 1))
-      addOpening(wall, pieces.back().end, *corner);
+      addGap(wall, pieces[k], pieces[k + 1]);
+    constexpr int most_piers = 3;
+    Interval last = pieces.front(), first = pieces.back();
+    for (int pier = 0; pier < most_piers; ++pier) {
+      const auto corner = cornerBeyond(wall, last.begin, -1);
+      if (!corner)
+        break;
+      addGap(wall, {*corner, *corner}, last);
+      const auto next = pierBeyond(wall, *corner, -1);
+      if (!next)
+        break;
+      last = {*next, *next};
+    }
+    for (int pier = 0; pier < most_piers; ++pier) {
+      const auto corner = cornerBeyond(wall, first.end, 1);
+      if (!corner)
+        break;
+      addGap(wall, first, {*corner, *corner});
+      const auto next = pierBeyond(wall, *corner, 1);
+      if (!next)
+        break;
+      first = {*next, *next};
+    }
   }
 
-  /** \brief Adds a gap of a wall as an opening, or as a part of the wall that was not seen. */
-  void
-  addOpening(const Wall& wall, double begin, double end)
+  /** \brief The pieces of a wall, and those of others that lie in the same plane. */
+  std::vector<Interval>
+  piecesInLine(const Wall& wall) const
   {
-    constexpr double narrowest = 0.4;
-    if (end - begin > widest_opening)
-      return;
+    constexpr double off = 0.025, min_cosine = 0.95; // metres
+    const Vector2d from = flat(wall, 0), along = flat(wall, 1) - from;
+    const Vector2d front = flat(wall.normal());
+    std::vector<Interval> pieces = wall.section(plan_.cut);
+    const Interval near{pieces.front().begin - widest_window,
+                        pieces.back().end + widest_window};
+    for (const PlanWall& other : plan_.walls) {
+      const double a = along.dot(other.from - from), b = along.dot(other.to - from);
+      if (other.plane != wall.plane() && frontOf(other).dot(front) > min_cosine &&
+          std::abs(front.dot(other.from - from)) < off &&
+          std::abs(front.dot(other.to - from)) < off && std::min(a, b) > near.begin &&
+          std::max(a, b) < near.end)
+        pieces.push_back({std::min(a, b), std::max(a, b)});
+    }
+    return Wall::joined(std::move(pieces));
+  }
+
+  /** \brief Adds the openings of a gap between two pieces of a wall: one between its reveals,
+   * where these were seen, or one on each side of another wall that ends in it. */
+  void
+  addGap(const Wall& wall, const Interval& before, const Interval& behind)
+  {
+    constexpr double slack = 0.05; // metres, by which outlines may end beside a reveal
+    const double begin = before.end, end = behind.begin;
+    const auto ahead = cornerBeyond(wall, begin, 1), back = cornerBeyond(wall, end, -1);
+    const bool has_end = ahead && *ahead <= end + slack,
+               has_begin = back && *back >= begin - slack;
+    const double first = has_begin ? *back : begin, last = has_end ? *ahead : end;
+    // something may have hidden the wall where it was not seen to end
+    const bool may_be_window = has_begin || has_end ||
+                               (before.end_kind != EdgeKind::Frontier &&
+                                behind.begin_kind != EdgeKind::Frontier);
+    bool is_open = false;
+    if (first < last)
+      is_open = addOpening(wall, first, last, may_be_window);
+    else {
+      is_open = addOpening(wall, begin, last, true);
+      is_open = addOpening(wall, first, end, true) || is_open;
+    }
+    if (!is_open && end - begin <= widest_opening) {
+      const GapFrame frame = frameOf(wall, begin, end);
+      if (frame.is_walled || std::isfinite(frame.top))
+        plan_.unseen_walls.push_back({flat(wall, begin), flat(wall, end), wall.plane()});
+    }
+  }
+
+  /** \brief Adds a part of a gap, if it is an opening. \return whether it is one */
+  bool
+  addOpening(const Wall& wall, double begin, double end, bool may_be_window)
+  {
+    constexpr double narrowest = 0.4; // metres
+    const double width = end - begin;
+    if (width < narrowest || width > widest_window || isHidden(wall, begin, end))
+      return false;
     PlanOpening opening{flat(wall, begin), flat(wall, end), wall.plane()};
-    const Frame middle = frameAt(wall, (begin + end) / 2);
-    opening.is_window = middle.bottom > 0;
-    opening.bottom = middle.bottom;
-    opening.top = middle.top;
-    if (end - begin >= narrowest && !isHidden(wall, begin, end) &&
-        (opening.is_window ? isLevel(wall, begin, end) : std::isfinite(opening.top)))
+    const GapFrame frame = frameOf(wall, begin, end);
+    opening.is_window = frame.bottom > 0;
+    opening.bottom = frame.bottom;
+    opening.top = frame.top;
+    const bool has_frame = frame.is_walled || std::isfinite(frame.top);
+    if (opening.is_window
+            ? !may_be_window || !frame.is_level || !(has_frame || isOutside(opening))
+            : width > widest_opening || !std::isfinite(opening.top))
+      return false;
+    if (!isKnown(opening))
       plan_.openings.push_back(opening);
-    else if (opening.is_window || std::isfinite(opening.top))
-      plan_.unseen_walls.push_back({opening.from, opening.to, opening.plane});
+    return true;
+  }
+
+  /** \brief Is no wall behind the middle of an opening? */
+  bool
+  isOutside(const PlanOpening& opening) const
+  {
+    constexpr double from = 0.02, reach = 2; // metres
+    const Vector2d middle = (opening.from + opening.to) / 2;
+    return std::none_of(
+        plan_.walls.begin(), plan_.walls.end(), [&](const PlanWall& other) {
+          return meet(middle - from * frontOf(opening),
+                      middle - reach * frontOf(opening),
+                      other.from,
+                      other.to);
+        });
+  }
+
+  /** \brief Is there an opening already, of another plane of the same wall? */
+  bool
+  isKnown(const PlanOpening& opening) const
+  {
+    constexpr double off = 0.3, min_cosine = 0.9; // metres
+    const Vector2d middle = (opening.from + opening.to) / 2;
+    return std::any_of(
+        plan_.openings.begin(), plan_.openings.end(), [&](const PlanOpening& other) {
+          const Vector2d way = other.to - other.from;
+          const double share = way.dot(middle - other.from) / way.squaredNorm();
+          return other.plane != opening.plane &&
+                 frontOf(other).dot(frontOf(opening)) > min_cosine &&
+                 std::abs(frontOf(other).dot(middle - other.from)) < off && share > 0 &&
+                 share < 1;
+        });
   }
 
   /** \brief What a wall leaves open at the section, metres above the floor. */
   struct Frame {
     double bottom = 0;                                     ///< 0: down to the floor
     double top = std::numeric_limits<double>::quiet_NaN(); ///< NaN: without an end
+    bool is_walled = false; ///< the wall itself ends at the bottom, not a sill alone
   };
+
+  /** \brief The same for a gap. */
+  struct GapFrame : Frame {
+    /** \brief Have bottom and top the same heights along it, as those of a window? The end of
+     * what was seen of a wall has not. */
+    bool is_level = false;
+  };
+
+  /** \brief Bottom and top of a gap where most of it has them; parts of a narrow lintel may not
+   * have been seen. */
+  GapFrame
+  frameOf(const Wall& wall, double begin, double end) const
+  {
+    constexpr int samples = 9, min_level = 6; // of these
+    constexpr double min_share = 0.8;         // of the lintels that were seen
+    std::vector<double> bottoms, tops;
+    int walled = 0;
+    for (int k = 0; k < samples; ++k) {
+      const Frame frame =
+          frameAt(wall, begin + (0.1 + 0.8 * k / (samples - 1)) * (end - begin));
+      bottoms.push_back(frame.bottom);
+      walled += frame.is_walled;
+      if (std::isfinite(frame.top))
+        tops.push_back(frame.top);
+    }
+    const auto isLevel = [](const std::vector<double>& heights, double middle, double least) {
+      constexpr double tolerance = 0.1; // metres
+      return static_cast<double>(
+                 std::count_if(heights.begin(), heights.end(), [&](double height) {
+                   return std::abs(height - middle) <= tolerance;
+                 })) >= least;
+    };
+    GapFrame frame;
+    frame.bottom = medianOf(bottoms);
+    frame.is_walled = 2 * walled > samples;
+    const bool has_top = 3 * tops.size() >= samples;
+    if (has_top)
+      frame.top = medianOf(tops);
+    frame.is_level =
+        isLevel(bottoms, frame.bottom, min_level) && (has_top || tops.empty()) &&
+        (tops.empty() ||
+         isLevel(tops, frame.top, min_share * static_cast<double>(tops.size())));
+    return frame;
+  }
+
+  static double
+  medianOf(std::vector<double> values)
+  {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  }
 
   Frame
   frameAt(const Wall& wall, double along) const
   {
-    constexpr double above_floor = 0.2;
     Frame frame;
     for (const Interval& part : wall.heights(along, plan_.floor))
       if (part.begin > plan_.cut - plan_.floor) {
         frame.top = part.begin;
         break;
       }
-      else if (part.end > above_floor)
+      else if (part.end > lowest_sill)
         frame.bottom = part.end;
+    frame.is_walled = frame.bottom > 0;
+    if (!frame.is_walled)
+      frame.bottom = sillAt(flat(wall, along), flat(wall.normal()));
     return frame;
   }
 
-  /** \brief Have a gap's bottom and top the same heights along it, as those of a window?
-   * The end of what was seen of a wall has not. */
-  bool
-  isLevel(const Wall& wall, double begin, double end) const
+  /** \brief Height above the floor of a sill in a wall: a level plane that lies within its
+   * thickness; 0 without one. */
+  double
+  sillAt(const Vector2d& place, const Vector2d& front) const
   {
-    constexpr double tolerance = 0.1; // metres
-    constexpr std::array<double, 4> shares{0.1, 0.3, 0.7, 0.9};
-    const Frame middle = frameAt(wall, (begin + end) / 2);
-    return std::all_of(shares.begin(), shares.end(), [&](double share) {
-      const Frame frame = frameAt(wall, begin + share * (end - begin));
-      return std::abs(frame.bottom - middle.bottom) <= tolerance &&
-             (std::isnan(middle.top) ? std::isnan(frame.top)
-                                     : std::abs(frame.top - middle.top) <= tolerance);
-    });
+    constexpr double in_front = 0.3, deep = thickest_wall + 0.05; // metres
+    double highest = 0;
+    for (const Level& level : levels_)
+      if (level.height > highest && level.box.exteriorDistance(place) < thickest_wall) {
+        const auto reaches = [&](double behind) {
+          return isInside(level.loops, place - behind * front);
+        };
+        if ((reaches(0.08) || reaches(0.2)) && !reaches(deep) && !reaches(-in_front))
+          highest = level.height;
+      }
+    return highest;
   }
 
   /** \brief Where the line of a wall, beyond its end, meets the seen side of the next
@@ -455,6 +680,23 @@ private:
   std::optional<double>
   cornerBeyond(const Wall& wall, double from, double way) const
   {
+    return nextFace(wall, from, way, -1, widest_window);
+  }
+
+  /** \brief Where the line of a wall leaves a pier of which it has met the seen side. */
+  std::optional<double>
+  pierBeyond(const Wall& wall, double from, double way) const
+  {
+    return nextFace(wall, from, way, 1, thickest_wall);
+  }
+
+  /** \brief Where the line of a wall, from a place on it, meets the next wall across it.
+   * \param[in] way 1 or -1, along the wall
+   * \param[in] side from which that wall is seen: 1 from beyond it, -1 from the place
+   * \param[in] reach metres */
+  std::optional<double>
+  nextFace(const Wall& wall, double from, double way, double side, double reach) const
+  {
     constexpr double min_sine = 0.5;
     constexpr double longer = 0.15; // metres, by which outlines may end before a corner
     const Vector2d begin = flat(wall, from);
@@ -462,12 +704,12 @@ private:
     std::optional<double> nearest;
     for (const PlanWall& other : plan_.walls) {
       const double facing = frontOf(other).dot(direction);
-      if (!(facing < -min_sine))
+      if (!(side * facing > min_sine))
         continue;
       const double distance = (other.from - begin).dot(frontOf(other)) / facing;
       const Vector2d along = (other.to - other.from).normalized();
       const double place = (begin + distance * direction - other.from).dot(along);
-      if (distance > 0 && distance <= widest_opening && place >= -longer &&
+      if (distance > 0 && distance <= reach && place >= -longer &&
           place <= (other.to - other.from).norm() + longer &&
           (!nearest || distance < *nearest))
         nearest = distance;
@@ -494,6 +736,7 @@ private:
   FloorPlan plan_;
   std::vector<Wall> walls_;
   std::vector<Cover> covers_;
+  std::vector<Level> levels_; ///< between floor and section
 };
 
 /** \brief The floor as square cells that walls and openings divide into rooms. */
@@ -518,6 +761,8 @@ public:
     parts_.assign(kinds_.size(), none);
     for (const auto& polygon : plan.floors)
       forEachInside(polygon, [&](std::size_t index) { kinds_[index] = Kind::Floor; });
+    for (const PlanWall& wall : plan.unseen_walls)
+      addLine(wall.from, wall.to, Line::Wall);
     for (const PlanOpening& opening : plan.openings)
       addLine(opening.from, opening.to, Line::Opening);
     for (const PlanWall& wall : plan.walls)
@@ -540,7 +785,7 @@ public:
           return lines_[next] == Line::None;
         });
     shareWalls();
-    const std::vector<std::size_t> centers = findCenters(parts);
+    const std::vector<Center> centers = findCenters(parts);
     std::vector<PlanRoom> of_parts(centers.size());
     std::vector<std::size_t> first_cells(centers.size());
     const double area = cell_ * cell_;
@@ -552,11 +797,13 @@ public:
         room.area += area;
         room.seen_area += kinds_[index] == Kind::Floor ? area : 0;
       }
-    constexpr double min_area = 1; // square metres
+    constexpr double min_area = 1;     // square metres
+    constexpr double min_width = 0.46; // metres: the sill of a window is no room
     std::vector<std::size_t> kept;
     for (std::size_t part = 0; part < centers.size(); ++part)
-      if (of_parts[part].seen_area >= min_area) {
-        of_parts[part].center = placeOf(centers[part]);
+      if (of_parts[part].seen_area >= min_area &&
+          2 * cell_ * centers[part].distance >= min_width) {
+        of_parts[part].center = placeOf(centers[part].cell);
         of_parts[part].outline = outlineFrom(first_cells[part]);
         kept.push_back(part);
       }
@@ -790,9 +1037,15 @@ private:
     }
   }
 
+  /** \brief The middle of a part. */
+  struct Center {
+    std::size_t cell = 0;
+    std::int32_t distance = 0; ///< from the border of the part, cells
+  };
+
   /** \brief For each part a cell with the maximum distance, along rows and columns, from
    * the cells that are not in it. */
-  std::vector<std::size_t>
+  std::vector<Center>
   findCenters(std::int32_t parts) const
   {
     std::vector<std::int32_t> distances(parts_.size());
@@ -805,11 +1058,11 @@ private:
           shell.push_back(index);
         }
       });
-    std::vector<std::size_t> centers(static_cast<std::size_t>(parts));
+    std::vector<Center> centers(static_cast<std::size_t>(parts));
     for (std::int32_t distance = 2; !shell.empty(); ++distance) {
       next_shell.clear();
       for (const std::size_t index : shell) {
-        centers[static_cast<std::size_t>(parts_[index])] = index;
+        centers[static_cast<std::size_t>(parts_[index])] = {index, distance - 1};
         forEachBeside(index, [&](std::size_t next) {
           if (parts_[next] == parts_[index] && distances[next] == 0) {
             distances[next] = distance;

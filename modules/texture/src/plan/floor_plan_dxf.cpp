@@ -57,7 +57,7 @@ public:
     add(0, "SECTION");
     add(2, "ENTITIES");
     for (const PlanItem& item : drawing_.items) {
-      layer_ = plan_layer_names[static_cast<std::size_t>(item.layer)];
+      layer_ = nameOf(item.layer);
       std::visit(*this, item.shape);
     }
     add(0, "ENDSEC");
@@ -65,22 +65,25 @@ public:
     return text_.str();
   }
 
-  /** \brief An area of four corners is filled, others are outlined. */
+  /** \brief Parts of walls and of the scale bar are filled, floors are outlined; what only hides
+   * what is below it is left out. */
   void
   operator()(const PlanArea& area)
   {
-    if (area.loops.size() == 1 && area.loops.front().size() == 4) {
-      const std::vector<Vector2d>& corners = area.loops.front();
-      begin("SOLID");
-      addColor(area.color);
-      addPoint(10, corners[0]); // in the order of a Z
-      addPoint(11, corners[1]);
-      addPoint(12, corners[3]);
-      addPoint(13, corners[2]);
+    if (layer_ == nameOf(PlanLayer::Floor))
+      for (const std::vector<Vector2d>& loop : area.loops)
+        addPolyline(loop, true, {});
+    const std::vector<Vector2d>& corners = area.loops.front();
+    const bool is_filled =
+        layer_ == nameOf(PlanLayer::Walls) || layer_ == nameOf(PlanLayer::Title);
+    if (!is_filled || corners.size() != 4 || area.color == paper_color)
       return;
-    }
-    for (const std::vector<Vector2d>& loop : area.loops)
-      addPolyline(loop, true, {});
+    begin("SOLID");
+    addColor(area.color);
+    addPoint(10, corners[0]); // in the order of a Z
+    addPoint(11, corners[1]);
+    addPoint(12, corners[3]);
+    addPoint(13, corners[2]);
   }
 
   void
@@ -127,6 +130,12 @@ public:
   }
 
 private:
+  static const char*
+  nameOf(PlanLayer layer)
+  {
+    return plan_layer_names[static_cast<std::size_t>(layer)];
+  }
+
   template <typename Value>
   void
   add(int code, const Value& value)

@@ -207,9 +207,26 @@ private:
       for (const Eigen::Vector3f& place : polygon.outer)
         if (place.allFinite())
           outline.push_back(flat(place.cast<double>()));
-      if (outline.size() > 2)
+      if (outline.size() > 2 && !isInOpening(outline))
         plan_.furniture.push_back({std::move(outline), height});
     }
+  }
+
+  /** \brief Is a level plane the sill of a window? */
+  bool
+  isInOpening(const std::vector<Vector2d>& outline) const
+  {
+    Vector2d middle = Vector2d::Zero();
+    for (const Vector2d& corner : outline)
+      middle += corner / static_cast<double>(outline.size());
+    return std::any_of(
+        plan_.openings.begin(), plan_.openings.end(), [&](const PlanOpening& opening) {
+          const Vector2d along = (opening.to - opening.from).normalized();
+          const double behind = -frontOf(opening).dot(middle - opening.from);
+          const double aside = along.dot(middle - opening.from);
+          return behind > -thickest_wall / 2 && behind < thickest_wall && aside > 0 &&
+                 aside < (opening.to - opening.from).norm();
+        });
   }
 
   void

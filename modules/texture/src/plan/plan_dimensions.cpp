@@ -30,6 +30,11 @@ public:
     for (const PlanWall& wall : plan.walls)
       if (wall.role == SurfaceRole::Wall)
         walls_.push_back({flat(wall.from), flat(wall.to)});
+    closed_ = walls_;
+    for (const PlanWall& wall : plan.unseen_walls)
+      closed_.push_back({flat(wall.from), flat(wall.to)});
+    for (const PlanOpening& opening : plan.openings)
+      closed_.push_back({flat(opening.from), flat(opening.to)});
   }
 
   Vector2d
@@ -95,13 +100,14 @@ private:
     Vector2d from, to;
   };
 
-  /** \brief Is no wall between a place and the side, except for the one that it is in? */
+  /** \brief Is no wall or opening between a place and the side, except for the one that it is
+   * in? */
   bool
   isNext(const Vector2d& place) const
   {
     constexpr double beside = 0.02; // metres
     const auto isHidden = [&](double x) {
-      return std::any_of(walls_.begin(), walls_.end(), [&](const Segment& wall) {
+      return std::any_of(closed_.begin(), closed_.end(), [&](const Segment& wall) {
         if ((wall.from.x() > x) == (wall.to.x() > x))
           return false;
         const double share = (x - wall.from.x()) / (wall.to.x() - wall.from.x());
@@ -114,6 +120,7 @@ private:
 
   Vector2d along_, outwards_;
   std::vector<Segment> walls_;
+  std::vector<Segment> closed_; ///< and what is not seen of them, and their openings
 };
 
 /** \brief Draws chains on one side. */

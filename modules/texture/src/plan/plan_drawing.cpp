@@ -7,6 +7,7 @@
 #include "plan/plan_sheet.h"
 #include "plan/plan_style.h"
 #include "plan/plan_text.h"
+#include "plan/polygon_inside.h"
 #include "plan/text_places.h"
 #include "plan/unseen_borders.h"
 #include "plan/wall_bodies.h"
@@ -240,10 +241,10 @@ private:
   bool
   addRoomText(const PlanRoom& room, const std::vector<std::string>& lines)
   {
-    const auto isInside = [&](const PlanText& text) {
+    const auto fits = [&](const PlanText& text) {
       const auto quad = quadOf(text, drawing_.scale);
       return std::all_of(quad.begin(), quad.end(), [&](const Vector2d& corner) {
-        return contains(room.outline, corner);
+        return isInside({room.outline}, corner);
       });
     };
     for (const double height : {3.0, 2.2, 1.6})
@@ -260,7 +261,7 @@ private:
         }
         const bool is_last = lines.size() == 1 && height < 2 && angle > 0;
         if (!is_last && (!places_.areFree(texts, drawing_.scale) ||
-                         !std::all_of(texts.begin(), texts.end(), isInside)))
+                         !std::all_of(texts.begin(), texts.end(), fits)))
           continue;
         for (const PlanText& text : texts) {
           places_.take(text, drawing_.scale);
@@ -269,19 +270,6 @@ private:
         return true;
       }
     return false;
-  }
-
-  static bool
-  contains(const Loop& loop, const Vector2d& place)
-  {
-    bool is_inside = false;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      const Vector2d &a = loop[k], &b = loop[(k + 1) % loop.size()];
-      if ((a.y() > place.y()) != (b.y() > place.y()) &&
-          place.x() < a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-        is_inside = !is_inside;
-    }
-    return is_inside;
   }
 
   std::vector<std::string>

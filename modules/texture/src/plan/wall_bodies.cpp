@@ -155,10 +155,25 @@ join(Body& one, Body& next)
   WallBody& first = next.quads.front();
   const auto front =
       meetingOf(last.corners[1], one.face.along, first.corners[0], next.face.along);
-  const auto back = meetingOf(last.corners[2],
-                              last.corners[2] - last.corners[3],
-                              first.corners[3],
-                              first.corners[2] - first.corners[3]);
+  const auto backOfLast = [&](std::size_t line) {
+    return meetingOf(last.corners[2],
+                     last.corners[2] - last.corners[3],
+                     first.corners[line],
+                     line == 0 ? next.face.along
+                               : Vector2d(first.corners[2] - first.corners[3]));
+  };
+  const auto backOfFirst = [&](std::size_t line) {
+    return meetingOf(first.corners[3],
+                     first.corners[2] - first.corners[3],
+                     last.corners[line],
+                     line == 1 ? one.face.along
+                               : Vector2d(last.corners[2] - last.corners[3]));
+  };
+  // a wall of known thickness ends at the face of one that it abuts
+  const bool last_abuts = last.is_measured && !first.is_measured,
+             first_abuts = first.is_measured && !last.is_measured;
+  const auto last_back = backOfLast(last_abuts ? 0 : 3),
+             first_back = backOfFirst(first_abuts ? 1 : 2);
   const auto isNear = [&](const Vector2d& place, const Vector2d& end, double limit) {
     return (place - end).norm() <= limit;
   };
@@ -167,8 +182,10 @@ join(Body& one, Body& next)
     return;
   const double limit = reach + 2 * thickest_wall;
   last.corners[1] = first.corners[0] = *front;
-  if (back && isNear(*back, *front, limit))
-    last.corners[2] = first.corners[3] = *back;
+  if (last_back && isNear(*last_back, *front, limit))
+    last.corners[2] = *last_back;
+  if (first_back && isNear(*first_back, *front, limit))
+    first.corners[3] = *first_back;
 }
 
 /** \brief The face that begins where another one ends, if there is one. */
