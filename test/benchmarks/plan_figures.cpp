@@ -301,12 +301,13 @@ scoreOpenings(const PlanScene& truth, const JudgedPlan& judged, PlanScores& scor
       is_found = true;
       if (isSeen(truth, opening)) {
         addError(truth, "width", drawn.length(), segment.length(), middle, scores);
-        addError(truth,
-                 "height",
-                 other.top - other.bottom,
-                 opening.top - opening.bottom,
-                 middle,
-                 scores);
+        if (std::isfinite(other.top)) // otherwise the drawing states none
+          addError(truth,
+                   "height",
+                   other.top - other.bottom,
+                   opening.top - opening.bottom,
+                   middle,
+                   scores);
       }
     }
     if (isSeen(truth, opening)) {

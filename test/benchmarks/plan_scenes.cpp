@@ -78,6 +78,20 @@ readShapes(const std::string& path)
   return shapes;
 }
 
+/** \brief Turns the triangles of a product whose inside is their front. */
+void
+faceOutwards(Shape& shape)
+{
+  double volume = 0;
+  const Vector3d inside = shape.box().center();
+  for (const auto& triangle : shape.triangles)
+    volume += (triangle[0] - inside)
+                  .dot((triangle[1] - inside).cross(triangle[2] - inside));
+  if (volume < 0)
+    for (auto& triangle : shape.triangles)
+      std::swap(triangle[1], triangle[2]);
+}
+
 /** \brief Triangles in one plane, as rectangles along its axes. */
 class FlatPart {
 public:
@@ -461,6 +475,8 @@ modelPlanScene(const std::string& model, double floor)
   if (!path)
     return {};
   std::vector<Shape> shapes = readShapes(*path);
+  for (Shape& shape : shapes)
+    faceOutwards(shape);
   PlanScene result;
   result.name = model + ", " + std::to_string(floor).substr(0, 3) + " m";
   result.floor = -floor;

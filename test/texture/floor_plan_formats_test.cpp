@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <string>
@@ -43,6 +45,7 @@ planOfARoom()
   plan.rooms.resize(1);
   plan.rooms[0].center = {2, 2.5};
   plan.rooms[0].area = 12;
+  plan.rooms[0].outline = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
   return plan;
 }
 
@@ -73,6 +76,19 @@ expectLine(const OGRFeature& feature, const Vector2d& from, const Vector2d& to)
   EXPECT_LT((Vector2d(line->getX(1), line->getY(1)) - to).norm(), 1e-6);
 }
 
+/** The lines between two points of a layer. */
+std::vector<const OGRFeature*>
+linesOf(const std::vector<std::unique_ptr<OGRFeature>>& features)
+{
+  std::vector<const OGRFeature*> lines;
+  for (const auto& feature : features)
+    if (const OGRGeometry* geometry = feature->GetGeometryRef();
+        geometry && wkbFlatten(geometry->getGeometryType()) == wkbLineString &&
+        geometry->toLineString()->getNumPoints() == 2)
+      lines.push_back(feature.get());
+  return lines;
+}
+
 TEST(FloorPlanFormats, ADrawingIsReadByGdal)
 {
   const TemporaryFolder folder;
@@ -80,16 +96,39 @@ TEST(FloorPlanFormats, ADrawingIsReadByGdal)
   const FloorPlan plan = planOfARoom();
   saveFloorPlan(path, plan);
   const auto layers = readByGdal(path, "Layer");
-  ASSERT_EQ(layers.size(), 6U);
-  EXPECT_EQ(layers.at("FLOOR").size(), 2U);
-  ASSERT_EQ(layers.at("WALLS").size(), 4U);
+  ASSERT_EQ(layers.size(), 8U) << "there is no furniture";
+  EXPECT_EQ(layers.at("FLOOR").size(), 3U) << "and the outline of the room";
+  const auto faces = linesOf(layers.at("WALLS"));
+  ASSERT_EQ(faces.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i)
-    expectLine(*layers.at("WALLS")[i], plan.walls[i].from, plan.walls[i].to);
-  ASSERT_EQ(layers.at("DOORS").size(), 1U);
-  expectLine(*layers.at("DOORS")[0], plan.openings[0].from, plan.openings[0].to);
-  ASSERT_EQ(layers.at("WINDOWS").size(), 1U);
-  EXPECT_STREQ(layers.at("ROOMS").at(0)->GetFieldAsString("Text"), "12.0 m2");
-  EXPECT_EQ(layers.at("NORTH").size(), 2U);
+    expectLine(*faces[i], plan.walls[i].from, plan.walls[i].to);
+  double filled = 0; // behind the faces, with the corners twice
+  for (const auto& feature : layers.at("WALLS"))
+    if (wkbFlatten(feature->GetGeometryRef()->getGeometryType()) == wkbPolygon)
+      filled += feature->GetGeometryRef()->toPolygon()->get_Area();
+  EXPECT_NEAR(filled, 0.08 * (14 + 4 * 0.08), 1e-6);
+  // the leaf of the door, as long as the opening is wide
+  const auto leaves = linesOf(layers.at("DOORS"));
+  EXPECT_EQ(std::count_if(leaves.begin(),
+                          leaves.end(),
+                          [](const OGRFeature* line) {
+                            const auto* ends = line->GetGeometryRef()->toLineString();
+                            return std::abs(ends->getX(0) - ends->getX(1)) < 1e-6 &&
+                                   std::abs(ends->get_Length() - 0.9) < 1e-6;
+                          }),
+            1);
+  const auto textsOf = [&](const char* layer) {
+    std::vector<std::string> texts;
+    for (const auto& feature : layers.at(layer))
+      texts.emplace_back(feature->GetFieldAsString("Text"));
+    return texts;
+  };
+  using testing::Contains;
+  EXPECT_THAT(textsOf("ROOMS"), testing::ElementsAre("Room 1", "12.0 m2"));
+  EXPECT_THAT(textsOf("WINDOWS"), Contains("1.00 x 2.10"));
+  EXPECT_THAT(textsOf("DIMENSIONS"), Contains("4.00"));
+  EXPECT_THAT(textsOf("TITLE"), Contains("1 : 50 on A4, lengths in metres"));
+  EXPECT_THAT(textsOf("NORTH"), Contains("z"));
 }
 
 TEST(FloorPlanFormats, FeaturesAreReadByGdal)
@@ -127,9 +166,10 @@ TEST(FloorPlanFormats, PlacesOfANationalGridComeBack)
        {std::tuple("plan.dxf", "Layer", "WALLS"), {"plan.geojson", "kind", "wall"}}) {
     saveFloorPlan(folder.path(name), plan);
     const auto features = readByGdal(folder.path(name), field);
-    ASSERT_EQ(features.at(kind).size(), 4U);
+    const auto lines = linesOf(features.at(kind));
+    ASSERT_EQ(lines.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i)
-      expectLine(*features.at(kind)[i],
+      expectLine(*lines[i],
                  plan.walls[i].from + offset,
                  plan.walls[i].to + offset);
   }
@@ -142,7 +182,8 @@ TEST(FloorPlanFormats, AnEmptyPlanIsReadable)
 {
   const TemporaryFolder folder;
   saveFloorPlan(folder.path("plan.dxf"), {});
-  EXPECT_EQ(readByGdal(folder.path("plan.dxf"), "Layer").size(), 1U) << "its north";
+  EXPECT_EQ(readByGdal(folder.path("plan.dxf"), "Layer").size(), 2U)
+      << "its north and its title";
   saveFloorPlan(folder.path("plan.geojson"), {});
   EXPECT_TRUE(readByGdal(folder.path("plan.geojson"), "kind").empty());
   EXPECT_THROW(saveFloorPlan(folder.path("plan.pdf"), {}), BadArgumentException);

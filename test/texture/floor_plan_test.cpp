@@ -1,5 +1,6 @@
 #include "temporary_folder.h"
 
+#include <pcl/core/image_file.h>
 #include <pcl/texture/floor_plan.h>
 
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <limits>
+#include <sstream>
 #include <numeric>
 
 namespace pcl::acmap::test {
@@ -344,6 +346,131 @@ TEST(FloorPlan, ClosedDoorsJoinTheRoomsOfTheirFaces)
   EXPECT_THAT(map.openings[1].rooms, ElementsAre(0, 1));
 }
 
+/** A leaf is seen in the wall, and is no wall. */
+TEST(FloorPlan, LeavesAreSeenInTheirOpenings)
+{
+  CompactMap map = makeRooms();
+  map.planes.push_back(
+      makePlane(-Vector3f::UnitX(),
+                {{4.06F, 1, 1}, {4.06F, 1, 1.9F}, {4.06F, -1, 1.9F}, {4.06F, -1, 1}}));
+  const FloorPlan plan = makeFloorPlan(map);
+  ASSERT_EQ(plan.openings.size(), 3U);
+  EXPECT_TRUE(std::isnan(plan.openings[0].leaf)) << "the window";
+  EXPECT_NEAR(plan.openings[1].leaf, 0.06, 1e-5);
+  for (const PlanWall& wall : plan.walls)
+    EXPECT_EQ(wall.role, wall.plane == 8 ? SurfaceRole::DoorLeaf : SurfaceRole::Wall);
+}
+
+/** The sides of doorways are more exact than the outline of the wall. */
+TEST(FloorPlan, OpeningsEndAtTheirReveals)
+{
+  CompactMap map = makeRooms();
+  for (const std::size_t plane : {6U, 7U})
+    for (Vector3f& place : map.planes[plane].polygons[0].outer) {
+      place.z() += place.z() > 1.8F && place.z() < 2 ? 0.03F : 0;
+      place.z() -= place.z() > 0.9F && place.z() < 1.1F ? 0.03F : 0;
+    }
+  EXPECT_NEAR(lengthOf(makeFloorPlan(map).openings[1]), 0.96, 1e-5);
+  const auto reveal = [&](float z, float way) {
+    return makePlane(way * Vector3f::UnitZ(),
+                     {{4, 1, z}, {4.1F, 1, z}, {4.1F, -1, z}, {4, -1, z}});
+  };
+  map.planes.push_back(reveal(1, 1));
+  map.planes.push_back(reveal(1.9F, -1));
+  const FloorPlan plan = makeFloorPlan(map);
+  ASSERT_EQ(plan.openings.size(), 3U);
+  for (const std::size_t door : {1U, 2U})
+    EXPECT_NEAR(lengthOf(plan.openings[door]), 0.9, 1e-5);
+}
+
+/** Of a window over the whole height, only its sill and its sides may be seen. */
+TEST(FloorPlan, SillsTellWindows)
+{
+  CompactMap map = makeRooms();
+  map.planes[5] = makePlane(
+      -Vector3f::UnitZ(),
+      {{2.2F, 1, 3}, {6.1F, 1, 3}, {6.1F, -1.6F, 3}, {2.2F, -1.6F, 3}});
+  EXPECT_EQ(makeFloorPlan(map).openings.size(), 2U) << "the rest of the wall was not seen";
+  map.planes.push_back(makePlane(
+      -Vector3f::UnitY(),
+      {{0, 0.9F, 3}, {2.2F, 0.9F, 3}, {2.2F, 0.9F, 3.3F}, {0, 0.9F, 3.3F}}));
+  const FloorPlan plan = makeFloorPlan(map);
+  ASSERT_EQ(plan.openings.size(), 3U);
+  EXPECT_TRUE(plan.openings[0].is_window);
+  EXPECT_NEAR(lengthOf(plan.openings[0]), 2.2, 1e-5);
+  EXPECT_NEAR(plan.openings[0].bottom, 0.1, 1e-5);
+  EXPECT_TRUE(plan.furniture.empty()) << "a sill";
+}
+
+/** A wall between two rooms whose outer walls lie in one plane ends in the gap of that plane. */
+TEST(FloorPlan, WallsEndOpenings)
+{
+  CompactMap map = makeRooms();
+  // the far wall of both rooms with a window of each beside the wall between them
+  map.planes[5] = makePlane(-Vector3f::UnitZ(),
+                            {{0, 1, 3}, {6.1F, 1, 3}, {6.1F, -1.6F, 3}, {0, -1.6F, 3}},
+                            {{{3, 0, 3}, {3, -1, 3}, {5, -1, 3}, {5, 0, 3}}});
+  const FloorPlan plan = makeFloorPlan(map);
+  ASSERT_EQ(plan.openings.size(), 4U);
+  EXPECT_NEAR(lengthOf(plan.openings[0]), 0.9, 1e-5);
+  EXPECT_NEAR(lengthOf(plan.openings[1]), 1, 1e-5);
+}
+
+TEST(FloorPlan, ShowsFurnitureAndColumns)
+{
+  CompactMap map = makeRooms();
+  map.planes.push_back(makePlane(
+      -Vector3f::UnitY(),
+      {{1, 0.25F, 1}, {2, 0.25F, 1}, {2, 0.25F, 1.6F}, {1, 0.25F, 1.6F}})); // a table
+  map.planes.push_back(makePlane(
+      -Vector3f::UnitY(), {{3, 0.9F, 1}, {3.5F, 0.9F, 1}, {3.5F, 0.9F, 2}})); // a step
+  BoxPatch box;
+  box.center << 5, 0.5, 0.5;
+  box.size << 1, 0.8, 0.6;
+  box.axes << 1, 0, 0, 0, 0, 1, 0, -1, 0; // length, depth, height
+  box.size << 1, 0.6, 1;
+  map.boxes.push_back(box);
+  CylinderPatch column;
+  column.axis_point << 2, 0, 2.5;
+  column.axis_direction = -Eigen::Vector3d::UnitY();
+  column.axis_u = Eigen::Vector3d::UnitX();
+  column.radius = 0.2;
+  column.low = -1;
+  column.high = 1.6;
+  column.arc = 3;
+  map.cylinders.push_back(column);
+  column.high = 0; // a bin, below the section
+  map.cylinders.push_back(column);
+  const FloorPlan plan = makeFloorPlan(map);
+  ASSERT_EQ(plan.furniture.size(), 3U);
+  EXPECT_NEAR(plan.furniture[0].top, 1, 1e-5);
+  EXPECT_NEAR(areaOf(plan.furniture[0].outline), 0.6, 1e-5);
+  EXPECT_NEAR(plan.furniture[1].top, 0.75, 1e-5);
+  EXPECT_EQ(plan.furniture[1].outline.size(), 4U);
+  EXPECT_NEAR(plan.furniture[2].top, 1, 1e-5);
+  ASSERT_EQ(plan.columns.size(), 1U);
+  EXPECT_LT((plan.columns[0].center - Eigen::Vector2d(2, 2.5)).norm(), 1e-5);
+  EXPECT_NEAR(plan.columns[0].begin, -1.5, 1e-9);
+  EXPECT_NEAR(plan.columns[0].end, 1.5, 1e-9);
+  map.planes[2].label.role = SurfaceRole::Furniture;
+  for (const PlanWall& wall : makeFloorPlan(map).walls)
+    EXPECT_EQ(wall.role, wall.plane == 2 ? SurfaceRole::Furniture : SurfaceRole::Wall);
+}
+
+/** Where a wall goes on above a cupboard, it goes on behind it. */
+TEST(FloorPlan, WallsBehindFurnitureAreNotSeen)
+{
+  CompactMap map = makeRooms();
+  map.planes.push_back(makePlane(
+      -Vector3f::UnitZ(),
+      {{0.9F, 1, 2.5F}, {2.3F, 1, 2.5F}, {2.3F, -1, 2.5F}, {0.9F, -1, 2.5F}}));
+  const FloorPlan plan = makeFloorPlan(map);
+  ASSERT_EQ(plan.unseen_walls.size(), 1U);
+  EXPECT_EQ(plan.unseen_walls[0].plane, 5U);
+  EXPECT_NEAR((plan.unseen_walls[0].to - plan.unseen_walls[0].from).norm(), 1.2, 1e-5);
+  EXPECT_NEAR(plan.rooms[0].area, 12, 0.2) << "the room ends there";
+}
+
 TEST(FloorPlan, FurnitureIsNoOpening)
 {
   CompactMap map = makeRooms();
@@ -405,27 +532,63 @@ countOf(const std::string& part, const std::string& text)
   return count;
 }
 
+/** The size of the sheet of an SVG, millimetres. */
+Eigen::Vector2d
+viewBoxOf(const std::string& svg)
+{
+  Eigen::Vector2d size = Eigen::Vector2d::Zero();
+  std::istringstream(svg.substr(svg.find("viewBox=\"0 0 ") + 13)) >> size.x() >> size.y();
+  return size;
+}
+
 TEST(FloorPlan, IsSavedAsSvg)
 {
   const TemporaryFolder folder;
   const std::string path = folder.path("floor_plan.svg");
-  saveFloorPlan(path, makeFloorPlan(makeRooms()));
+  CompactMap map = makeRooms();
+  setRooms(makeFloorPlan(map), map);
+  map.rooms[1].label.name = "Hall & stairs";
+  saveFloorPlan(path, makeFloorPlan(map));
   const std::string text = contentOf(path);
-  EXPECT_THAT(text, HasSubstr("width=\"81.000mm\" height=\"50.000mm\""));
-  EXPECT_THAT(text, HasSubstr("<title>"));
-  EXPECT_EQ(countOf("<line", text),
-            9U + 3U + 3U + 3U); // walls, openings, scale bar, north
-  EXPECT_EQ(countOf("<path", text), 1U);
-  EXPECT_EQ(countOf(" m²</text>", text), 2U);
-  EXPECT_EQ(countOf("<g ", text), countOf("</g>", text));
-  // the corner (0, 0) of the plan, below the margin of a metre: y points down
-  EXPECT_THAT(text, HasSubstr("M1.000 4.000L7.100 4.000"));
-  saveFloorPlan(path, makeFloorPlan(makeRooms()));
+  EXPECT_THAT(text, HasSubstr("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" "
+                              "width=\"100%\" viewBox=\"0 0 "));
+  EXPECT_THAT(text, HasSubstr("<title>Floor plan, 1 : 50</title>"));
+  EXPECT_EQ(countOf("<g", text), countOf("</g>", text));
+  for (const char* layer :
+       {"floor", "walls", "windows", "doors", "rooms", "dimensions", "north", "title"})
+    EXPECT_EQ(countOf("<g id=\"" + std::string(layer) + "\">", text), 1U) << layer;
+  EXPECT_THAT(text, HasSubstr(">Room 1</text>"));
+  EXPECT_THAT(text, HasSubstr(">Hall &amp; stairs</text>"));
+  EXPECT_THAT(text, HasSubstr(">0.90 × 2.00</text>"));
+  EXPECT_EQ(countOf(">6.10</text>", text), 2U); // of the near and the far side
+  // 6.1 m on the paper
+  const Eigen::Vector2d size = viewBoxOf(text);
+  EXPECT_GT(size.x(), 1000 * 6.1 / 50);
+  EXPECT_LT(size.maxCoeff(), 287);
+  saveFloorPlan(path, makeFloorPlan(map));
   EXPECT_EQ(contentOf(path), text);
   EXPECT_NO_THROW(saveFloorPlan(path, {}));
   EXPECT_THAT(contentOf(path), HasSubstr("</svg>"));
   EXPECT_THROW(saveFloorPlan(folder.path("none/floor_plan.svg"), {}),
                OutputFileException);
+}
+
+/** The same sheet as the SVG, without a display. */
+TEST(FloorPlan, IsSavedAsPng)
+{
+  const TemporaryFolder folder;
+  const FloorPlan plan = makeFloorPlan(makeRooms());
+  saveFloorPlan(folder.path("plan.svg"), plan);
+  saveFloorPlan(folder.path("plan.png"), plan);
+  const Eigen::Vector2d size = viewBoxOf(contentOf(folder.path("plan.svg")));
+  const RgbImage image = loadRgbImage(folder.path("plan.png"));
+  EXPECT_NEAR(image.width, 6 * size.x(), 1);
+  EXPECT_NEAR(image.height, 6 * size.y(), 1);
+  const std::string first = contentOf(folder.path("plan.png"));
+  saveFloorPlan(folder.path("plan.png"), plan);
+  EXPECT_EQ(contentOf(folder.path("plan.png")), first);
+  EXPECT_NO_THROW(saveFloorPlan(folder.path("plan.png"), {}));
+  EXPECT_THROW(saveFloorPlan(folder.path("none/plan.png"), {}), OutputFileException);
 }
 
 } // namespace

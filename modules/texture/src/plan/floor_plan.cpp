@@ -313,6 +313,10 @@ public:
             {flat(wall, piece.begin), flat(wall, piece.end), wall.plane()});
     for (const Wall& wall : walls_)
       addOpenings(wall);
+    for (std::size_t k = 0; k < plan_.openings.size(); ++k)
+      for (std::size_t l = k + 1; l < plan_.openings.size(); ++l)
+        if (areFaces(plan_.openings[k], plan_.openings[l]))
+          adjust(plan_.openings[k], plan_.openings[l]);
     acmap::addHiddenCorners(plan_);
     return plan_;
   }
@@ -397,9 +401,12 @@ private:
                         ->lowest();
     plan_.cut = plan_.floor + above_tables;
     const PlanePatch* const ceiling = largest(ceilings);
-    if (ceiling && heightOf(*ceiling) > plan_.floor)
-      plan_.cut =
-          std::min(plan_.cut, plan_.floor + share * (heightOf(*ceiling) - plan_.floor));
+    if (!ceiling || !(heightOf(*ceiling) > plan_.floor))
+      return;
+    constexpr double lower = 0.3; // metres, of which ceilings of one storey differ
+    ceiling_ = heightOf(*ceiling) - plan_.floor + lower;
+    plan_.cut =
+        std::min(plan_.cut, plan_.floor + share * (heightOf(*ceiling) - plan_.floor));
   }
 
   bool
@@ -490,10 +497,18 @@ private:
       if (other.plane != wall.plane() && frontOf(other).dot(front) > min_cosine &&
           std::abs(front.dot(other.from - from)) < off &&
           std::abs(front.dot(other.to - from)) < off && std::min(a, b) > near.begin &&
-          std::max(a, b) < near.end)
+          std::max(a, b) < near.end && !isBelowLintel(wall, (a + b) / 2))
         pieces.push_back({std::min(a, b), std::max(a, b)});
     }
     return Wall::joined(std::move(pieces));
+  }
+
+  /** \brief Does a wall leave room for the leaf of a door at a place? */
+  bool
+  isBelowLintel(const Wall& wall, double along) const
+  {
+    constexpr double highest_leaf = 2.6; // metres
+    return frameAt(wall, along).top <= highest_leaf;
   }
 
   /** \brief Adds the openings of a gap between two pieces of a wall: one between its reveals,
@@ -508,12 +523,12 @@ private:
                has_begin = back && *back >= begin - slack;
     const double first = has_begin ? *back : begin, last = has_end ? *ahead : end;
     // something may have hidden the wall where it was not seen to end
-    const bool may_be_window = has_begin || has_end ||
-                               (before.end_kind != EdgeKind::Frontier &&
-                                behind.begin_kind != EdgeKind::Frontier);
+    const bool is_seen = has_begin || has_end ||
+                         (before.end_kind != EdgeKind::Frontier &&
+                          behind.begin_kind != EdgeKind::Frontier);
     bool is_open = false;
     if (first < last)
-      is_open = addOpening(wall, first, last, may_be_window);
+      is_open = addOpening(wall, first, last, is_seen);
     else {
       is_open = addOpening(wall, begin, last, true);
       is_open = addOpening(wall, first, end, true) || is_open;
@@ -525,9 +540,12 @@ private:
     }
   }
 
-  /** \brief Adds a part of a gap, if it is an opening. \return whether it is one */
+  /** \brief Adds a part of a gap, if it is an opening.
+   * \param[in] is_seen Were its sides seen? Otherwise it may be a part of the wall that was
+   * hidden, unless the floor goes on in it
+   * \return whether it is an opening */
   bool
-  addOpening(const Wall& wall, double begin, double end, bool may_be_window)
+  addOpening(const Wall& wall, double begin, double end, bool is_seen)
   {
     constexpr double narrowest = 0.4; // metres
     const double width = end - begin;
@@ -540,12 +558,44 @@ private:
     opening.top = frame.top;
     const bool has_frame = frame.is_walled || std::isfinite(frame.top);
     if (opening.is_window
-            ? !may_be_window || !frame.is_level || !(has_frame || isOutside(opening))
-            : width > widest_opening || !std::isfinite(opening.top))
+            ? !is_seen || !frame.is_level || !(has_frame || isOutside(opening))
+            : width > widest_opening || !std::isfinite(opening.top) ||
+                  !(is_seen || hasFloor(opening)))
       return false;
     if (!isKnown(opening))
       plan_.openings.push_back(opening);
     return true;
+  }
+
+  /** \brief Gives both faces of an opening the same sides: the mean ones, or where they differ
+   * by more than outlines do, those that leave less open: part of a wall was hidden. */
+  static void
+  adjust(PlanOpening& one, PlanOpening& other)
+  {
+    constexpr double same = 0.04; // metres
+    const Vector2d along = (one.to - one.from).normalized();
+    const auto agree = [&](Vector2d& side, Vector2d& other_side, double outwards) {
+      const double off = along.dot(other_side - side); // of the other one, along the first
+      const double middle = std::abs(off) <= same     ? off / 2
+                            : off * outwards > 0      ? 0.0
+                                                      : off;
+      side += middle * along;
+      other_side += (middle - off) * along;
+    };
+    agree(one.from, other.to, -1);
+    agree(one.to, other.from, 1);
+  }
+
+  /** \brief Was floor seen behind the middle of an opening? */
+  bool
+  hasFloor(const PlanOpening& opening) const
+  {
+    constexpr double behind = 0.05; // metres
+    const Vector2d place =
+        (opening.from + opening.to) / 2 - behind * frontOf(opening);
+    return std::any_of(plan_.floors.begin(), plan_.floors.end(), [&](const auto& loops) {
+      return isInside(loops, place);
+    });
   }
 
   /** \brief Is no wall behind the middle of an opening? */
@@ -625,8 +675,8 @@ private:
     if (has_top)
       frame.top = medianOf(tops);
     frame.is_level =
-        isLevel(bottoms, frame.bottom, min_level) && (has_top || tops.empty()) &&
-        (tops.empty() ||
+        isLevel(bottoms, frame.bottom, min_level) &&
+        (!has_top ||
          isLevel(tops, frame.top, min_share * static_cast<double>(tops.size())));
     return frame;
   }
@@ -645,7 +695,8 @@ private:
     Frame frame;
     for (const Interval& part : wall.heights(along, plan_.floor))
       if (part.begin > plan_.cut - plan_.floor) {
-        frame.top = part.begin;
+        if (part.begin < ceiling_)
+          frame.top = part.begin;
         break;
       }
       else if (part.end > lowest_sill)
@@ -737,6 +788,8 @@ private:
   std::vector<Wall> walls_;
   std::vector<Cover> covers_;
   std::vector<Level> levels_; ///< between floor and section
+  /** \brief What is higher above the floor belongs to another storey. */
+  double ceiling_ = std::numeric_limits<double>::infinity();
 };
 
 /** \brief The floor as square cells that walls and openings divide into rooms. */

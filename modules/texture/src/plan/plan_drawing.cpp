@@ -51,6 +51,11 @@ public:
   , openings_(drawnOpeningsOf(plan, bodies_, strip))
   {
     drawing_.title = "Floor plan";
+    if (!plan.shift.isZero(0)) {
+      const Vector2d corner = boxOf(plan).min() + offsetOf(plan);
+      drawing_.note = "The lower left corner of the building is at " +
+                      fixed(corner.x(), 3) + " " + fixed(corner.y(), 3);
+    }
     chooseSheet(boxOf(plan), dimension_band, drawing_);
   }
 

@@ -52,9 +52,9 @@ public:
     std::vector<const PlanWall*> ending, beginning;
     for (const PlanWall& wall : plan_.walls)
       if (wall.role == SurfaceRole::Wall) {
-        if (isEndFree(wall.to, wall))
+        if (isEndFree(wall.to, wall.from))
           ending.push_back(&wall);
-        if (isEndFree(wall.from, wall))
+        if (isEndFree(wall.from, wall.to))
           beginning.push_back(&wall);
       }
     std::vector<PlanWall> corners;
@@ -98,13 +98,17 @@ private:
     return (segment.from + std::clamp(share, 0.0, 1.0) * way - place).norm();
   }
 
+  /** \brief Is nothing beside an end of a wall but what continues the wall backwards? */
   bool
-  isEndFree(const Vector2d& end, const PlanWall& own) const
+  isEndFree(const Vector2d& end, const Vector2d& start) const
   {
-    constexpr double near = 0.2; // metres
+    constexpr double near = 0.2, beyond = 0.02, max_sine = 0.1; // metres
+    const Vector2d way = (end - start).normalized();
     return std::none_of(closed_.begin(), closed_.end(), [&](const Segment& other) {
-      return (other.from != own.from || other.to != own.to) &&
-             distanceTo(other, end) < near;
+      const bool is_behind =
+          std::abs(crossOf(way, (other.to - other.from).normalized())) < max_sine &&
+          std::max(way.dot(other.from - end), way.dot(other.to - end)) < beyond;
+      return !is_behind && distanceTo(other, end) < near;
     });
   }
 
