@@ -28,8 +28,7 @@ namespace fs = std::filesystem;
 constexpr const char* mesh_picture = "mesh.png";
 constexpr const char* planes_picture = "planes.png";
 constexpr std::pair<const char*, MapView::Place> map_pictures[] = {
-    {"outside.png", MapView::Place::Outside},
-    {"inside.png", MapView::Place::Inside}};
+    {"outside.png", MapView::Place::Outside}, {"inside.png", MapView::Place::Inside}};
 
 /** \brief Names of the pictures that VTK draws, relative to the folder of the map. */
 std::vector<std::string>

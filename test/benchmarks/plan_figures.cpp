@@ -25,8 +25,8 @@ using Eigen::Vector3d;
 struct DrawnShape {
   std::string kind, layer, line_type;
   int color = 0; ///< 0: that of its layer
-  std::array<Vector2d, 4> points{Vector2d::Zero(), Vector2d::Zero(), Vector2d::Zero(),
-                                 Vector2d::Zero()};
+  std::array<Vector2d, 4> points{
+      Vector2d::Zero(), Vector2d::Zero(), Vector2d::Zero(), Vector2d::Zero()};
 };
 
 /** \brief Reads a drawing as a CAD program would. */
@@ -35,7 +35,8 @@ readDxf(const std::string& text)
 {
   std::vector<DrawnShape> shapes;
   std::istringstream lines(text);
-  for (std::string code, value; std::getline(lines, code) && std::getline(lines, value);) {
+  for (std::string code, value;
+       std::getline(lines, code) && std::getline(lines, value);) {
     const int number = std::stoi(code);
     if (number == 0)
       shapes.push_back({value});
@@ -48,9 +49,11 @@ readDxf(const std::string& text)
     else if (number == 62)
       shapes.back().color = std::stoi(value);
     else if (number >= 10 && number < 14)
-      shapes.back().points[static_cast<std::size_t>(number - 10)].x() = std::stod(value);
+      shapes.back().points[static_cast<std::size_t>(number - 10)].x() =
+          std::stod(value);
     else if (number >= 20 && number < 24)
-      shapes.back().points[static_cast<std::size_t>(number - 20)].y() = std::stod(value);
+      shapes.back().points[static_cast<std::size_t>(number - 20)].y() =
+          std::stod(value);
   }
   return shapes;
 }
@@ -66,7 +69,10 @@ keptPath(const std::string& name)
 
 /** \brief Tells what is wrong with a plan that is kept. */
 void
-tell(const PlanScene& truth, const std::string& what, const Vector2d& from, const Vector2d& to)
+tell(const PlanScene& truth,
+     const std::string& what,
+     const Vector2d& from,
+     const Vector2d& to)
 {
   if (!keptPath("").empty())
     std::cerr << truth.name << ": " << what << " from " << from.transpose() << " to "
@@ -169,12 +175,13 @@ struct Segment {
 
 /** \brief How a plan agrees with the truth. */
 struct PlanScores {
-  double seen = 0, drawn = 0, wrong = 0;    ///< of walls, metres
-  std::set<int> walls, found_walls;         ///< numbers of walls
+  double seen = 0, drawn = 0, wrong = 0; ///< of walls, metres
+  std::set<int> walls, found_walls;      ///< numbers of walls
   std::size_t doors = 0, found_doors = 0, windows = 0, found_windows = 0;
   std::size_t wrong_openings = 0;
-  std::vector<double> offsets;    ///< of walls, metres
-  std::vector<double> dimensions; ///< errors: widths and heights, thicknesses, spans of rooms
+  std::vector<double> offsets; ///< of walls, metres
+  std::vector<double>
+      dimensions; ///< errors: widths and heights, thicknesses, spans of rooms
 };
 
 constexpr double sample_step = 0.05, same_wall = 0.03, min_cosine = 0.98;
@@ -207,8 +214,8 @@ offsetAt(const Vector2d& place, const Vector2d& front, const Faces& faces, doubl
   double nearest = std::numeric_limits<double>::quiet_NaN();
   for (const Segment& other : faces) {
     const double aside = other.along().dot(place - other.from);
-    const double offset = front.dot(other.from - place) +
-                          aside * front.dot(other.along());
+    const double offset =
+        front.dot(other.from - place) + aside * front.dot(other.along());
     if (other.front().dot(front) > min_cosine && aside > -same_wall &&
         aside < other.length() + same_wall && std::abs(offset) < reach &&
         !(std::abs(offset) > std::abs(nearest)))
@@ -231,7 +238,8 @@ scoreWalls(const PlanScene& truth, const JudgedPlan& judged, PlanScores& scores)
   std::vector<Segment> drawn, exists;
   for (const DrawnShape& shape : judged.drawing)
     if (shape.kind == "LINE" && shape.layer == "WALLS" && shape.line_type.empty())
-      drawn.push_back({judged.inScene(shape.points[0]), judged.inScene(shape.points[1])});
+      drawn.push_back(
+          {judged.inScene(shape.points[0]), judged.inScene(shape.points[1])});
   std::map<int, std::pair<double, double>> of_walls; // seen and drawn, metres
   for (const TrueFace& face : truth.faces) {
     const Segment segment{face.from, face.to};
@@ -275,7 +283,8 @@ isSeen(const PlanScene& truth, const TrueOpening& opening)
 {
   const Segment segment{opening.from, opening.to};
   const Vector2d middle = (opening.from + opening.to) / 2;
-  return truth.isSeen(middle, segment.front()) || truth.isSeen(middle, -segment.front());
+  return truth.isSeen(middle, segment.front()) ||
+         truth.isSeen(middle, -segment.front());
 }
 
 void
@@ -332,7 +341,9 @@ scoreOpenings(const PlanScene& truth, const JudgedPlan& judged, PlanScores& scor
 
 /** \brief Distance to the first face that looks back, in a direction. */
 double
-spanTo(const Vector2d& from, const Vector2d& direction, const std::vector<Segment>& faces)
+spanTo(const Vector2d& from,
+       const Vector2d& direction,
+       const std::vector<Segment>& faces)
 {
   double nearest = std::numeric_limits<double>::quiet_NaN();
   const Vector2d aside(-direction.y(), direction.x());
@@ -360,10 +371,11 @@ scoreLengths(const PlanScene& truth, const JudgedPlan& judged, PlanScores& score
     if (face.wall >= 0)
       exists.push_back({face.from, face.to});
   constexpr double other_wall = 0.1; // metres: then it is not the same one
-  const auto compare = [&](const char* kind, double found, double real, const Vector2d& place) {
-    if (std::abs(found - real) < other_wall)
-      addError(truth, kind, found, real, place, scores);
-  };
+  const auto compare =
+      [&](const char* kind, double found, double real, const Vector2d& place) {
+        if (std::abs(found - real) < other_wall)
+          addError(truth, kind, found, real, place, scores);
+      };
   for (const PlanRoom& room : judged.plan.rooms) {
     const Vector2d center = judged.inScene(room.center);
     for (const Vector2d& way : {Vector2d(1, 0), Vector2d(0, 1)})
@@ -374,21 +386,23 @@ scoreLengths(const PlanScene& truth, const JudgedPlan& judged, PlanScores& score
   }
   for (const DrawnShape& shape : judged.drawing)
     if (shape.kind == "SOLID" && shape.layer == "WALLS" && shape.color == 0) {
-      const Segment face{judged.inScene(shape.points[0]), judged.inScene(shape.points[1])};
+      const Segment face{judged.inScene(shape.points[0]),
+                         judged.inScene(shape.points[1])};
       constexpr double shortest = 0.3; // metres
       const Vector2d middle = (face.from + face.to) / 2, inwards = -face.front();
       if (face.length() < shortest)
         continue;
-      const double thickness =
-          inwards.dot((judged.inScene(shape.points[2]) + judged.inScene(shape.points[3])) / 2 -
-                      middle);
+      const double thickness = inwards.dot(
+          (judged.inScene(shape.points[2]) + judged.inScene(shape.points[3])) / 2 -
+          middle);
       std::vector<Segment> backs;
       for (const Segment& one : exists)
         backs.push_back({one.to, one.from}); // seen from inside of the wall
       const double off = offsetAt(middle, face.front(), exists, other_wall);
       compare("thickness",
               thickness,
-              spanTo(middle + off * face.front() + 1e-4 * inwards, inwards, backs) + 1e-4,
+              spanTo(middle + off * face.front() + 1e-4 * inwards, inwards, backs) +
+                  1e-4,
               middle);
     }
 }
@@ -404,8 +418,8 @@ print(const PlanScene& truth)
   std::vector<double> errors;
   for (const double error : scores.dimensions)
     errors.push_back(std::abs(error));
-  const auto within =
-      std::count_if(errors.begin(), errors.end(), [](double e) { return e <= max_error; });
+  const auto within = std::count_if(
+      errors.begin(), errors.end(), [](double e) { return e <= max_error; });
   const auto shareOf = [](std::size_t found, std::size_t all) {
     return std::to_string(found) + " of " + std::to_string(all);
   };
@@ -416,15 +430,17 @@ print(const PlanScene& truth)
         << shareOf(scores.found_windows, scores.windows) << scores.wrong_openings
         << figure(milli * median(scores.offsets), 1) << errors.size()
         << atLeast(percent(static_cast<std::size_t>(within), errors.size()), 95, 1)
-        << figure(centi * quantile(errors, 0.95), 1) << figure(centi * largest(errors), 1);
+        << figure(centi * quantile(errors, 0.95), 1)
+        << figure(centi * largest(errors), 1);
 }
 
 void
 printHeadOfPlans()
 {
-  printHead("scene | rooms | walls seen, m | of it drawn % | walls | drawn, not there, m | "
-            "doors | windows | wrong openings | walls off, median, mm | dimensions | within "
-            "2 cm % | 95 %, cm | worst, cm");
+  printHead(
+      "scene | rooms | walls seen, m | of it drawn % | walls | drawn, not there, m | "
+      "doors | windows | wrong openings | walls off, median, mm | dimensions | within "
+      "2 cm % | 95 %, cm | worst, cm");
 }
 
 const Section scenes_section("scenes", [] {

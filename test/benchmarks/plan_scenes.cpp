@@ -78,20 +78,6 @@ readShapes(const std::string& path)
   return shapes;
 }
 
-/** \brief Turns the triangles of a product whose inside is their front. */
-void
-faceOutwards(Shape& shape)
-{
-  double volume = 0;
-  const Vector3d inside = shape.box().center();
-  for (const auto& triangle : shape.triangles)
-    volume += (triangle[0] - inside)
-                  .dot((triangle[1] - inside).cross(triangle[2] - inside));
-  if (volume < 0)
-    for (auto& triangle : shape.triangles)
-      std::swap(triangle[1], triangle[2]);
-}
-
 /** \brief Triangles in one plane, as rectangles along its axes. */
 class FlatPart {
 public:
@@ -101,14 +87,16 @@ public:
   {
     const Vector3d up = -Vector3d::UnitY();
     const Vector3d level = up.cross(normal);
-    u_ = level.norm() > 0.1 ? Vector3d(level.normalized()) : Vector3d(Vector3d::UnitX());
+    u_ =
+        level.norm() > 0.1 ? Vector3d(level.normalized()) : Vector3d(Vector3d::UnitX());
     v_ = normal.cross(u_);
   }
 
   bool
   takes(const Vector3d& normal, const Vector3d& place) const
   {
-    return normal.dot(normal_) > 0.9999 && std::abs(normal_.dot(place - origin_)) < 1e-4;
+    return normal.dot(normal_) > 0.9999 &&
+           std::abs(normal_.dot(place - origin_)) < 1e-4;
   }
 
   void
@@ -280,6 +268,34 @@ cutOf(const std::array<Vector3d, 3>& triangle, double y, int wall)
   return TrueFace{ends[0], ends[1], wall};
 }
 
+/** \brief Where a level plane cuts a product. Models have triangles that look inwards, too. */
+std::vector<TrueFace>
+cutOf(const Shape& shape, double y, int wall)
+{
+  std::vector<TrueFace> faces;
+  for (const auto& triangle : shape.triangles)
+    if (const auto face = cutOf(triangle, y, wall))
+      faces.push_back(*face);
+  const auto isInside = [&](const Vector2d& place) {
+    bool is_inside = false;
+    for (const TrueFace& face : faces)
+      if ((face.from.y() > place.y()) != (face.to.y() > place.y()) &&
+          place.x() < face.from.x() + (place.y() - face.from.y()) /
+                                          (face.to.y() - face.from.y()) *
+                                          (face.to.x() - face.from.x()))
+        is_inside = !is_inside;
+    return is_inside;
+  };
+  std::vector<TrueFace> outwards = faces;
+  constexpr double off = 1e-3; // metres
+  for (TrueFace& face : outwards) {
+    const Vector2d along = (face.to - face.from).normalized();
+    if (isInside((face.from + face.to) / 2 + off * Vector2d(-along.y(), along.x())))
+      std::swap(face.from, face.to);
+  }
+  return outwards;
+}
+
 bool
 startsWith(const std::string& text, const std::string& start)
 {
@@ -349,12 +365,10 @@ placesIn(const Shape& space, const PlanScene& scene)
         least = std::min(least, (one.second - other).norm());
       return least;
     };
-    places.push_back(std::max_element(free.begin(),
-                                      free.end(),
-                                      [&](const auto& a, const auto& b) {
-                                        return merit(a) < merit(b);
-                                      })
-                         ->second);
+    places.push_back(
+        std::max_element(free.begin(), free.end(), [&](const auto& a, const auto& b) {
+          return merit(a) < merit(b);
+        })->second);
   }
   return places;
 }
@@ -380,10 +394,11 @@ shapesOf(const std::string& model, const test::TemporaryFolder& folder)
   const auto path = pathOfData("I_ifc/" + model + ".ifc.xz");
   if (!path)
     return {};
-  const std::string unpacked = folder.path("model.ifc"), shapes = folder.path("shapes.obj");
+  const std::string unpacked = folder.path("model.ifc"),
+                    shapes = folder.path("shapes.obj");
   std::ofstream(unpacked, std::ios::binary) << contentOf(*path);
-  const std::string command = "node '" ACMAP_NPM "/ifc_shapes.mjs' '" + unpacked + "' '" +
-                              shapes + "' 2>/dev/null";
+  const std::string command = "node '" ACMAP_NPM "/ifc_shapes.mjs' '" + unpacked +
+                              "' '" + shapes + "' 2>/dev/null";
   if (std::system(command.c_str()) == 0)
     return shapes;
   std::cerr << "left out: no node, or no web-ifc: npm ci --prefix test/npm brings it\n";
@@ -416,8 +431,8 @@ PlanScene::isSeen(const Vector2d& place, const Vector2d& normal) const
     const double row = rig.focal_length * seen.y() / seen.z() + rig.center_y;
     const Vector2d camera(view.translation().x(), view.translation().z());
     const Vector2d way = camera - target;
-    return seen.z() > nearest && seen.z() < scene.sensor.reach && column > 0 && row > 0 &&
-           column < rig.width && row < rig.height &&
+    return seen.z() > nearest && seen.z() < scene.sensor.reach && column > 0 &&
+           row > 0 && column < rig.width && row < rig.height &&
            way.normalized().dot(normal) > min_cosine && isFree(camera);
   });
 }
@@ -437,7 +452,8 @@ standardPlanScene(const std::string& name)
   for (std::size_t p = 0; p < geometry.planes().size(); ++p) {
     double low = 1e9, high = -1e9;
     for (const SimulatedRectangle& one : geometry.planes()[p].rectangles)
-      for (const double end : {one.corner.y(), one.corner.y() + one.edge_u.y() + one.edge_v.y()}) {
+      for (const double end :
+           {one.corner.y(), one.corner.y() + one.edge_u.y() + one.edge_v.y()}) {
         low = std::min(low, end);
         high = std::max(high, end);
       }
@@ -475,8 +491,6 @@ modelPlanScene(const std::string& model, double floor)
   if (!path)
     return {};
   std::vector<Shape> shapes = readShapes(*path);
-  for (Shape& shape : shapes)
-    faceOutwards(shape);
   PlanScene result;
   result.name = model + ", " + std::to_string(floor).substr(0, 3) + " m";
   result.floor = -floor;
@@ -486,18 +500,18 @@ modelPlanScene(const std::string& model, double floor)
   result.scene.sensor.points = 12000;
   for (std::size_t s = 0; s < shapes.size(); ++s) {
     Shape& shape = shapes[s];
-    const bool is_hole = shape.type == "IfcOpeningElement" || shape.type == "IfcSpace" ||
-                         shape.type == "IfcDoor" || shape.type == "IfcWindow" ||
-                         shape.type == "IfcSite" || shape.type == "IfcRailing";
+    const bool is_hole = shape.type == "IfcOpeningElement" ||
+                         shape.type == "IfcSpace" || shape.type == "IfcDoor" ||
+                         shape.type == "IfcWindow" || shape.type == "IfcSite" ||
+                         shape.type == "IfcRailing";
     if (is_hole)
       continue;
     if (isFine(shape))
       shape.triangles = sidesOf(shape.box());
     addShape(shape, shape.type + " " + std::to_string(s), result.scene.geometry);
     const int wall = startsWith(shape.type, "IfcWall") ? static_cast<int>(s) : -1;
-    for (const auto& triangle : shape.triangles)
-      if (const auto cut = cutOf(triangle, y, wall))
-        result.faces.push_back(*cut);
+    for (const TrueFace& face : cutOf(shape, y, wall))
+      result.faces.push_back(face);
   }
   for (const Shape& shape : shapes) {
     const Eigen::AlignedBox3d box = shape.box();

@@ -169,9 +169,7 @@ TEST(FloorPlanFormats, PlacesOfANationalGridComeBack)
     const auto lines = linesOf(features.at(kind));
     ASSERT_EQ(lines.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i)
-      expectLine(*lines[i],
-                 plan.walls[i].from + offset,
-                 plan.walls[i].to + offset);
+      expectLine(*lines[i], plan.walls[i].from + offset, plan.walls[i].to + offset);
   }
   saveFloorPlan(folder.path("plan.svg"), plan);
   EXPECT_THAT(contentOf(folder.path("plan.svg")),

@@ -9,8 +9,8 @@
 #include <Eigen/Geometry>
 
 #include <limits>
-#include <sstream>
 #include <numeric>
+#include <sstream>
 
 namespace pcl::acmap::test {
 namespace {
@@ -387,13 +387,14 @@ TEST(FloorPlan, OpeningsEndAtTheirReveals)
 TEST(FloorPlan, SillsTellWindows)
 {
   CompactMap map = makeRooms();
-  map.planes[5] = makePlane(
-      -Vector3f::UnitZ(),
-      {{2.2F, 1, 3}, {6.1F, 1, 3}, {6.1F, -1.6F, 3}, {2.2F, -1.6F, 3}});
-  EXPECT_EQ(makeFloorPlan(map).openings.size(), 2U) << "the rest of the wall was not seen";
-  map.planes.push_back(makePlane(
-      -Vector3f::UnitY(),
-      {{0, 0.9F, 3}, {2.2F, 0.9F, 3}, {2.2F, 0.9F, 3.3F}, {0, 0.9F, 3.3F}}));
+  map.planes[5] =
+      makePlane(-Vector3f::UnitZ(),
+                {{2.2F, 1, 3}, {6.1F, 1, 3}, {6.1F, -1.6F, 3}, {2.2F, -1.6F, 3}});
+  EXPECT_EQ(makeFloorPlan(map).openings.size(), 2U)
+      << "the rest of the wall was not seen";
+  map.planes.push_back(
+      makePlane(-Vector3f::UnitY(),
+                {{0, 0.9F, 3}, {2.2F, 0.9F, 3}, {2.2F, 0.9F, 3.3F}, {0, 0.9F, 3.3F}}));
   const FloorPlan plan = makeFloorPlan(map);
   ASSERT_EQ(plan.openings.size(), 3U);
   EXPECT_TRUE(plan.openings[0].is_window);
@@ -537,7 +538,8 @@ Eigen::Vector2d
 viewBoxOf(const std::string& svg)
 {
   Eigen::Vector2d size = Eigen::Vector2d::Zero();
-  std::istringstream(svg.substr(svg.find("viewBox=\"0 0 ") + 13)) >> size.x() >> size.y();
+  std::istringstream(svg.substr(svg.find("viewBox=\"0 0 ") + 13)) >> size.x() >>
+      size.y();
   return size;
 }
 
@@ -550,8 +552,9 @@ TEST(FloorPlan, IsSavedAsSvg)
   map.rooms[1].label.name = "Hall & stairs";
   saveFloorPlan(path, makeFloorPlan(map));
   const std::string text = contentOf(path);
-  EXPECT_THAT(text, HasSubstr("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" "
-                              "width=\"100%\" viewBox=\"0 0 "));
+  EXPECT_THAT(text,
+              HasSubstr("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" "
+                        "width=\"100%\" viewBox=\"0 0 "));
   EXPECT_THAT(text, HasSubstr("<title>Floor plan, 1 : 50</title>"));
   EXPECT_EQ(countOf("<g", text), countOf("</g>", text));
   for (const char* layer :

@@ -269,7 +269,7 @@ TEST(PlanDrawing, WhatWasNotSeenIsDashed)
 {
   EXPECT_TRUE(dashedLines(drawPlan(planOfTwoRooms())).empty());
   FloorPlan plan = planOfTwoRooms();
-  plan.walls[3].to = {0, 1};   // the corner at the origin is hidden
+  plan.walls[3].to = {0, 1}; // the corner at the origin is hidden
   plan.walls[4].from = {1, 0};
   addHiddenCorners(plan);
   ASSERT_EQ(plan.unseen_walls.size(), 2U);
@@ -316,7 +316,8 @@ TEST(StrokeFont, WritesUtf8)
   EXPECT_EQ(strokesOf("\u4E2D").strokes, strokesOf("\u6587").strokes) << "no glyph";
   for (const char* invalid : {"\xFF", "\xC3", "a\xE2\x82", "\xF0\x9F"})
     EXPECT_GT(widthOf(invalid), 0);
-  for (const auto& stroke : strokesOf("The quick brown fox, 0123456789 (m\u00B2)").strokes)
+  for (const auto& stroke :
+       strokesOf("The quick brown fox, 0123456789 (m\u00B2)").strokes)
     for (const Vector2d& point : stroke) {
       EXPECT_GE(point.y(), -0.5 - 1.0 / 3 - 1e-9) << "descenders";
       EXPECT_LE(point.y(), 0.5 + 1.0 / 6 + 1e-9);

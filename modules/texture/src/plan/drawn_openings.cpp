@@ -107,7 +107,9 @@ DrawnOpening::onBack(const Vector2d& place) const
 }
 
 std::vector<DrawnOpening>
-drawnOpeningsOf(const FloorPlan& plan, const std::vector<WallBody>& bodies, double strip)
+drawnOpeningsOf(const FloorPlan& plan,
+                const std::vector<WallBody>& bodies,
+                double strip)
 {
   std::vector<DrawnOpening> openings;
   for (const PlanOpening& opening : plan.openings) {
@@ -119,8 +121,8 @@ drawnOpeningsOf(const FloorPlan& plan, const std::vector<WallBody>& bodies, doub
       openings.push_back({opening});
       continue;
     }
-    other->depth = -frontOf(other->face)
-                        .dot((opening.from + opening.to) / 2 - other->face.from);
+    other->depth =
+        -frontOf(other->face).dot((opening.from + opening.to) / 2 - other->face.from);
     other->is_measured = true;
     if (other->face.rooms[1] < 0)
       other->face.rooms[1] = opening.rooms[0];

@@ -37,6 +37,8 @@ struct DrawnOpening {
  * \param[in] bodies of the plan's walls
  * \param[in] strip depth of an opening of which nothing else is known, metres */
 std::vector<DrawnOpening>
-drawnOpeningsOf(const FloorPlan& plan, const std::vector<WallBody>& bodies, double strip);
+drawnOpeningsOf(const FloorPlan& plan,
+                const std::vector<WallBody>& bodies,
+                double strip);
 
 } // namespace pcl::acmap

@@ -36,7 +36,8 @@ using acmap::isInside;
 using acmap::thickest_wall;
 
 // metres; below a sill of this height, an opening is a door
-constexpr double widest_opening = 4, widest_window = 6, lowest_sill = 0.07;
+constexpr double widest_door = 2.4, widest_opening = 4, widest_window = 6,
+                 lowest_sill = 0.07;
 
 /** \brief Part of a wall along a direction, metres, with what is beyond its ends. */
 struct Interval {
@@ -535,8 +536,9 @@ private:
     }
     if (!is_open && end - begin <= widest_opening) {
       const GapFrame frame = frameOf(wall, begin, end);
-      if (frame.is_walled || std::isfinite(frame.top))
-        plan_.unseen_walls.push_back({flat(wall, begin), flat(wall, end), wall.plane()});
+      if (frame.is_walled || frame.is_covered)
+        plan_.unseen_walls.push_back(
+            {flat(wall, begin), flat(wall, end), wall.plane()});
     }
   }
 
@@ -559,8 +561,8 @@ private:
     const bool has_frame = frame.is_walled || std::isfinite(frame.top);
     if (opening.is_window
             ? !is_seen || !frame.is_level || !(has_frame || isOutside(opening))
-            : width > widest_opening || !std::isfinite(opening.top) ||
-                  !(is_seen || hasFloor(opening)))
+            : width > (std::isfinite(opening.top) ? widest_opening : widest_door) ||
+                  !frame.is_covered || !(is_seen || hasFloor(opening)))
       return false;
     if (!isKnown(opening))
       plan_.openings.push_back(opening);
@@ -575,10 +577,11 @@ private:
     constexpr double same = 0.04; // metres
     const Vector2d along = (one.to - one.from).normalized();
     const auto agree = [&](Vector2d& side, Vector2d& other_side, double outwards) {
-      const double off = along.dot(other_side - side); // of the other one, along the first
-      const double middle = std::abs(off) <= same     ? off / 2
-                            : off * outwards > 0      ? 0.0
-                                                      : off;
+      const double off =
+          along.dot(other_side - side); // of the other one, along the first
+      const double middle = std::abs(off) <= same ? off / 2
+                            : off * outwards > 0  ? 0.0
+                                                  : off;
       side += middle * along;
       other_side += (middle - off) * along;
     };
@@ -591,11 +594,10 @@ private:
   hasFloor(const PlanOpening& opening) const
   {
     constexpr double behind = 0.05; // metres
-    const Vector2d place =
-        (opening.from + opening.to) / 2 - behind * frontOf(opening);
-    return std::any_of(plan_.floors.begin(), plan_.floors.end(), [&](const auto& loops) {
-      return isInside(loops, place);
-    });
+    const Vector2d place = (opening.from + opening.to) / 2 - behind * frontOf(opening);
+    return std::any_of(plan_.floors.begin(),
+                       plan_.floors.end(),
+                       [&](const auto& loops) { return isInside(loops, place); });
   }
 
   /** \brief Is no wall behind the middle of an opening? */
@@ -634,7 +636,8 @@ private:
   struct Frame {
     double bottom = 0;                                     ///< 0: down to the floor
     double top = std::numeric_limits<double>::quiet_NaN(); ///< NaN: without an end
-    bool is_walled = false; ///< the wall itself ends at the bottom, not a sill alone
+    bool is_walled = false;  ///< the wall itself ends at the bottom, not a sill alone
+    bool is_covered = false; ///< the wall goes on above it, even if in another storey
   };
 
   /** \brief The same for a gap. */
@@ -652,25 +655,28 @@ private:
     constexpr int samples = 9, min_level = 6; // of these
     constexpr double min_share = 0.8;         // of the lintels that were seen
     std::vector<double> bottoms, tops;
-    int walled = 0;
+    int walled = 0, covered = 0;
     for (int k = 0; k < samples; ++k) {
       const Frame frame =
           frameAt(wall, begin + (0.1 + 0.8 * k / (samples - 1)) * (end - begin));
       bottoms.push_back(frame.bottom);
       walled += frame.is_walled;
+      covered += frame.is_covered;
       if (std::isfinite(frame.top))
         tops.push_back(frame.top);
     }
-    const auto isLevel = [](const std::vector<double>& heights, double middle, double least) {
-      constexpr double tolerance = 0.1; // metres
-      return static_cast<double>(
-                 std::count_if(heights.begin(), heights.end(), [&](double height) {
-                   return std::abs(height - middle) <= tolerance;
-                 })) >= least;
-    };
+    const auto isLevel =
+        [](const std::vector<double>& heights, double middle, double least) {
+          constexpr double tolerance = 0.1; // metres
+          return static_cast<double>(
+                     std::count_if(heights.begin(), heights.end(), [&](double height) {
+                       return std::abs(height - middle) <= tolerance;
+                     })) >= least;
+        };
     GapFrame frame;
     frame.bottom = medianOf(bottoms);
     frame.is_walled = 2 * walled > samples;
+    frame.is_covered = 3 * covered >= samples;
     const bool has_top = 3 * tops.size() >= samples;
     if (has_top)
       frame.top = medianOf(tops);
@@ -695,6 +701,7 @@ private:
     Frame frame;
     for (const Interval& part : wall.heights(along, plan_.floor))
       if (part.begin > plan_.cut - plan_.floor) {
+        frame.is_covered = true;
         if (part.begin < ceiling_)
           frame.top = part.begin;
         break;

@@ -76,8 +76,8 @@ saveFloorPlan(const std::string& path, const FloorPlan& plan)
   else if (ending == ".geojson")
     text = acmap::geoJsonOf(plan);
   else
-    throw acmap::BadArgument(path +
-                             ": a floor plan is written as .svg, .png, .dxf or .geojson");
+    throw acmap::BadArgument(
+        path + ": a floor plan is written as .svg, .png, .dxf or .geojson");
   acmap::OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();

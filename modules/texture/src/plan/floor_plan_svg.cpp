@@ -84,8 +84,8 @@ public:
   {
     for (auto item = drawing_.items.begin(); item != drawing_.items.end();) {
       const PlanLayer layer = item->layer;
-      text_ << "<g id=\"" << lowerCase(plan_layer_names[static_cast<std::size_t>(layer)])
-            << "\">\n";
+      text_ << "<g id=\""
+            << lowerCase(plan_layer_names[static_cast<std::size_t>(layer)]) << "\">\n";
       for (; item != drawing_.items.end() && item->layer == layer; ++item)
         std::visit(*this, item->shape);
       text_ << "</g>\n";
@@ -128,15 +128,17 @@ public:
     };
     const Vector2d from = placeAt(arc.begin), to = placeAt(arc.end);
     text_ << "<path d=\"M" << from.x() << ' ' << from.y() << 'A' << paper_ * arc.radius
-          << ' ' << paper_ * arc.radius << " 0 " << (arc.end - arc.begin > half_turn ? 1 : 0)
-          << " 0 " << to.x() << ' ' << to.y() << "\"";
+          << ' ' << paper_ * arc.radius << " 0 "
+          << (arc.end - arc.begin > half_turn ? 1 : 0) << " 0 " << to.x() << ' '
+          << to.y() << "\"";
     addPen(arc.pen);
   }
 
   void
   operator()(const PlanText& text)
   {
-    constexpr double capital = 0.716, halo = 0.5; // of the size of Arial, of a capital letter
+    constexpr double capital = 0.716,
+                     halo = 0.5; // of the size of Arial, of a capital letter
     constexpr double degrees = 180 / half_turn;
     const Vector2d at = onPaper(text.place);
     text_ << "<text transform=\"translate(" << at.x() << ' ' << at.y() << ')';
@@ -168,7 +170,8 @@ private:
   void
   addPen(const PlanPen& pen)
   {
-    text_ << " stroke=\"" << hexOf(pen.color) << "\" stroke-width=\"" << pen.width << '"';
+    text_ << " stroke=\"" << hexOf(pen.color) << "\" stroke-width=\"" << pen.width
+          << '"';
     if (pen.is_dashed)
       text_ << " stroke-dasharray=\"" << dash_length << ' ' << dash_gap << '"';
     text_ << "/>\n";

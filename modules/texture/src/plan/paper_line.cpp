@@ -10,12 +10,13 @@ PlanLine
 lineOf(const PlanArc& arc)
 {
   constexpr double step = 0.05; // radians
-  const int steps = std::max(1, static_cast<int>(std::ceil((arc.end - arc.begin) / step)));
+  const int steps =
+      std::max(1, static_cast<int>(std::ceil((arc.end - arc.begin) / step)));
   PlanLine line{{}, arc.pen};
   for (int k = 0; k <= steps; ++k) {
     const double angle = arc.begin + (arc.end - arc.begin) * k / steps;
-    line.points.push_back(arc.center +
-                          arc.radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    line.points.push_back(
+        arc.center + arc.radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
   }
   return line;
 }

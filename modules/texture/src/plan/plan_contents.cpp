@@ -31,7 +31,8 @@ hullOf(std::vector<Vector2d> points)
   std::vector<Vector2d> hull;
   const auto add = [&](const Vector2d& point, std::size_t first) {
     const auto turnsRight = [&] {
-      const Vector2d way = hull.back() - hull[hull.size() - 2], next = point - hull.back();
+      const Vector2d way = hull.back() - hull[hull.size() - 2],
+                     next = point - hull.back();
       return way.x() * next.y() - way.y() * next.x() <= 0;
     };
     while (hull.size() > first + 1 && turnsRight())
@@ -244,9 +245,9 @@ private:
     if (bottom <= cut && top >= cut) {
       const double arc = std::min(cylinder.arc, two_pi);
       const double begin = std::atan2(middle.y(), middle.x()) - arc / 2;
-      const Vector2d center = flat(low + (cut - heightOf(low)) /
-                                             (heightOf(high) - heightOf(low)) *
-                                             (high - low));
+      const Vector2d center =
+          flat(low +
+               (cut - heightOf(low)) / (heightOf(high) - heightOf(low)) * (high - low));
       plan_.columns.push_back(
           {center, cylinder.radius, begin, begin + arc, cylinder.is_hollow});
     }
@@ -261,16 +262,17 @@ private:
     constexpr double two_pi = 2 * half_turn;
     PlanFurniture round{{}, top};
     for (int k = 0; k < corners; ++k)
-      round.outline.push_back(center + radius * Vector2d(std::cos(two_pi * k / corners),
-                                                         std::sin(two_pi * k / corners)));
+      round.outline.push_back(center +
+                              radius * Vector2d(std::cos(two_pi * k / corners),
+                                                std::sin(two_pi * k / corners)));
     plan_.furniture.push_back(std::move(round));
   }
 
   const CompactMap& map_;
   FloorPlan& plan_;
-  double walls_top_ = 0;              ///< above the floor, metres
-  std::set<std::int32_t> box_sides_;  ///< planes
-  std::set<std::int32_t> leaves_;     ///< planes
+  double walls_top_ = 0;             ///< above the floor, metres
+  std::set<std::int32_t> box_sides_; ///< planes
+  std::set<std::int32_t> leaves_;    ///< planes
 };
 
 } // namespace

@@ -204,7 +204,8 @@ addDimensions(const FloorPlan& plan,
               TextPlaces& places)
 {
   const Vector2d y_axis(-x_axis.y(), x_axis.x());
-  for (const Vector2d& outwards : {Vector2d(-y_axis), x_axis, y_axis, Vector2d(-x_axis)}) {
+  for (const Vector2d& outwards :
+       {Vector2d(-y_axis), x_axis, y_axis, Vector2d(-x_axis)}) {
     const BuildingSide side(plan, outwards);
     const Eigen::AlignedBox2d extent = side.extent();
     constexpr double shortest = 0.5; // metres

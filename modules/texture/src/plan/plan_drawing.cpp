@@ -131,10 +131,11 @@ private:
   void
   addColumn(const PlanColumn& column)
   {
-    const PlanArc face{column.center, column.radius, column.begin, column.end, face_pen};
+    const PlanArc face{
+        column.center, column.radius, column.begin, column.end, face_pen};
     const bool is_column = !column.is_hollow && column.radius < 0.5;
-    const double back = column.is_hollow ? column.radius + strip
-                                         : std::max(column.radius - strip, 0.0);
+    const double back =
+        column.is_hollow ? column.radius + strip : std::max(column.radius - strip, 0.0);
     PlanArc whole = face;
     if (is_column)
       whole.end = whole.begin + 2 * half_turn;
@@ -154,7 +155,8 @@ private:
   {
     const Vector2d &from = opening.face.from, &to = opening.face.to;
     const Vector2d back_from = opening.onBack(from), back_to = opening.onBack(to);
-    drawing_.add(PlanLayer::Windows, PlanArea{{{from, to, back_to, back_from}}, paper_color});
+    drawing_.add(PlanLayer::Windows,
+                 PlanArea{{{from, to, back_to, back_from}}, paper_color});
     drawing_.add(PlanLayer::Windows,
                  PlanLine{{from, to, back_to, back_from}, window_pen, true});
     for (const double share : {0.4, 0.6})
@@ -197,8 +199,9 @@ private:
     const bool turns_left = closed.x() * open.y() - closed.y() * open.x() > 0;
     const Vector2d& first = turns_left ? closed : open;
     const double begin = std::atan2(first.y(), first.x());
-    drawing_.add(PlanLayer::Doors,
-                 PlanArc{pivot, closed.norm(), begin, begin + half_turn / 2, swing_pen});
+    drawing_.add(
+        PlanLayer::Doors,
+        PlanArc{pivot, closed.norm(), begin, begin + half_turn / 2, swing_pen});
   }
 
   /** \brief Width and height, beside the opening. */
@@ -210,7 +213,8 @@ private:
     std::string size = fixed(opening.width(), 2);
     if (std::isfinite(face.top))
       size += " \u00D7 " + fixed(face.top - face.bottom, 2);
-    const Vector2d along = (face.to - face.from).normalized(), front(-along.y(), along.x());
+    const Vector2d along = (face.to - face.from).normalized(),
+                   front(-along.y(), along.x());
     const Vector2d middle = (face.from + face.to) / 2;
     const double row = drawing_.metres(off);
     PlanText text{middle, size, height, readableAngle(along)};
@@ -257,8 +261,8 @@ private:
         const Vector2d up(-std::sin(angle), std::cos(angle));
         std::vector<PlanText> texts;
         for (std::size_t k = 0; k < lines.size(); ++k) {
-          const double rows = (static_cast<double>(lines.size()) - 1) / 2 -
-                              static_cast<double>(k);
+          const double rows =
+              (static_cast<double>(lines.size()) - 1) / 2 - static_cast<double>(k);
           texts.push_back({room.center + rows * drawing_.metres(1.8 * height) * up,
                            lines[k],
                            k == 0 ? height : 0.8 * height,
@@ -285,7 +289,8 @@ private:
       area += room.area;
       seen += room.seen_area;
     }
-    return {"cut " + fixed(plan_.cut - plan_.floor, 2) + " m above the floor; acmap " ACMAP_VERSION,
+    return {"cut " + fixed(plan_.cut - plan_.floor, 2) +
+                " m above the floor; acmap " ACMAP_VERSION,
             std::to_string(plan_.rooms.size()) +
                 (plan_.rooms.size() == 1 ? " room, " : " rooms, ") + areaText(area) +
                 " m\u00B2 of floor",

@@ -94,10 +94,10 @@ struct PlanItem {
 
 /** \brief A floor plan as it is printed: what all formats of pictures show. */
 struct PlanDrawing {
-  double scale = 100;         ///< metres in the building for one on the paper
-  Eigen::AlignedBox2d sheet;  ///< of the paper, metres in the frame of the plan
-  std::string title;          ///< what the drawing is
-  std::string note;           ///< where it is in the frame of the input; may be empty
+  double scale = 100;          ///< metres in the building for one on the paper
+  Eigen::AlignedBox2d sheet;   ///< of the paper, metres in the frame of the plan
+  std::string title;           ///< what the drawing is
+  std::string note;            ///< where it is in the frame of the input; may be empty
   std::vector<PlanItem> items; ///< by layer
 
   /** \brief Metres in the building of some millimetres of the paper. */

@@ -55,11 +55,10 @@ public:
     for (std::int32_t row = first; row < end; ++row) {
       while (next < edges_.size() && edges_[next].upper.y() < row + 1)
         active.push_back(next++);
-      active.erase(std::remove_if(active.begin(),
-                                  active.end(),
-                                  [&](std::size_t edge) {
-                                    return edges_[edge].lower.y() <= row;
-                                  }),
+      active.erase(std::remove_if(
+                       active.begin(),
+                       active.end(),
+                       [&](std::size_t edge) { return edges_[edge].lower.y() <= row; }),
                    active.end());
       fillRow(row, active, rule, color);
     }
@@ -91,9 +90,10 @@ private:
       for (const std::size_t number : active) {
         const Edge& edge = edges_[number];
         if (edge.upper.y() <= y && edge.lower.y() > y)
-          crossings_.emplace_back(edge.upper.x() + (y - edge.upper.y()) /
-                                                       (edge.lower.y() - edge.upper.y()) *
-                                                       (edge.lower.x() - edge.upper.x()),
+          crossings_.emplace_back(edge.upper.x() +
+                                      (y - edge.upper.y()) /
+                                          (edge.lower.y() - edge.upper.y()) *
+                                          (edge.lower.x() - edge.upper.x()),
                                   edge.turn);
       }
       std::sort(crossings_.begin(), crossings_.end());
@@ -108,8 +108,9 @@ private:
       if (const double share = coverage_[static_cast<std::size_t>(column)]; share > 0) {
         std::uint8_t* const pixel = image_.at(column, row);
         for (std::size_t channel = 0; channel < 3; ++channel)
-          pixel[channel] = static_cast<std::uint8_t>(std::lround(
-              pixel[channel] + std::min(share, 1.0) * (color[channel] - pixel[channel])));
+          pixel[channel] = static_cast<std::uint8_t>(
+              std::lround(pixel[channel] +
+                          std::min(share, 1.0) * (color[channel] - pixel[channel])));
       }
   }
 
@@ -119,12 +120,10 @@ private:
   {
     from = std::clamp(from, 0.0, static_cast<double>(image_.width));
     to = std::clamp(to, 0.0, static_cast<double>(image_.width));
-    for (auto column = static_cast<std::size_t>(from);
-         static_cast<double>(column) < to;
+    for (auto column = static_cast<std::size_t>(from); static_cast<double>(column) < to;
          ++column) {
       const auto left = static_cast<double>(column);
-      coverage_[column] +=
-          height * (std::min(to, left + 1) - std::max(from, left));
+      coverage_[column] += height * (std::min(to, left + 1) - std::max(from, left));
     }
   }
 

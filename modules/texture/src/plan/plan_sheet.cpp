@@ -99,11 +99,11 @@ public:
   }
 
   void
-  addArc(double x, double y, double radius, double begin, double end, const PlanPen& pen)
+  addArc(
+      double x, double y, double radius, double begin, double end, const PlanPen& pen)
   {
-    drawing_.add(
-        PlanLayer::Title,
-        PlanArc{at(x, y), drawing_.metres(radius), begin, end, pen});
+    drawing_.add(PlanLayer::Title,
+                 PlanArc{at(x, y), drawing_.metres(radius), begin, end, pen});
   }
 
 private:
@@ -149,9 +149,10 @@ addLegend(Block& block)
 void
 addScaleBar(Block& block, double x, double y, double scale)
 {
-  constexpr double longest = 45, height = 1.4, text = 1.8; // millimetres
+  constexpr double longest = 45, height = 1.4, text = 1.8;   // millimetres
   const double length = roundedDown(longest * scale / 1000); // metres
-  const bool is_two = std::lround(length / std::pow(10, std::floor(std::log10(length)))) == 2;
+  const bool is_two =
+      std::lround(length / std::pow(10, std::floor(std::log10(length)))) == 2;
   const int parts = is_two ? 4 : 5;
   const double part = length / parts * 1000 / scale;
   for (int k = 0; k < parts; ++k)
@@ -163,7 +164,8 @@ addScaleBar(Block& block, double x, double y, double scale)
   block.addBox(x, y, x + parts * part, y + height, PlanPen{0.13});
   block.addText(x, y + 3.5, "0", text, PlanAlign::Middle);
   const int decimals = length < 5 ? 1 : 0;
-  block.addText(x + part, y + 3.5, fixed(length / parts, decimals), text, PlanAlign::Middle);
+  block.addText(
+      x + part, y + 3.5, fixed(length / parts, decimals), text, PlanAlign::Middle);
   block.addText(x + parts * part,
                 y + 3.5,
                 fixed(length, length < 1 ? 1 : 0) + " m",
@@ -178,10 +180,12 @@ addAxis(Block& block, double x, double y, const Vector2d& axis, const std::strin
   const Vector2d aside(-axis.y(), axis.x());
   const PlanPen pen{0.25};
   const auto from = -half * axis, to = half * axis;
-  block.addLine(x + from.x(), y + from.y(), x + to.x(), y + to.y(), pen, PlanLayer::North);
+  block.addLine(
+      x + from.x(), y + from.y(), x + to.x(), y + to.y(), pen, PlanLayer::North);
   for (const double side : {-0.4, 0.4}) {
     const Vector2d end = to - head * (axis + side * aside);
-    block.addLine(x + to.x(), y + to.y(), x + end.x(), y + end.y(), pen, PlanLayer::North);
+    block.addLine(
+        x + to.x(), y + to.y(), x + end.x(), y + end.y(), pen, PlanLayer::North);
   }
   const Vector2d label = (half + 2) * axis;
   block.addText(
@@ -222,8 +226,8 @@ addTitleBlock(const Vector2d& axis,
   y -= 5.5;
   block.addText(left,
                 y,
-                "1 : " + fixed(drawing.scale, 0) + (fits(size, a4) ? " on A4" : " on A3") +
-                    ", lengths in metres",
+                "1 : " + fixed(drawing.scale, 0) +
+                    (fits(size, a4) ? " on A4" : " on A3") + ", lengths in metres",
                 scale_height);
   for (const std::string& note : notes)
     block.addText(left, y -= row, note, note_height);

@@ -9,7 +9,8 @@ namespace pcl::acmap {
 
 /** \brief Is a place inside of an odd number of loops? */
 inline bool
-isInside(const std::vector<std::vector<Eigen::Vector2d>>& loops, const Eigen::Vector2d& place)
+isInside(const std::vector<std::vector<Eigen::Vector2d>>& loops,
+         const Eigen::Vector2d& place)
 {
   bool is_inside = false;
   for (const std::vector<Eigen::Vector2d>& loop : loops)

@@ -120,7 +120,8 @@ nextOf(std::string_view& text)
   const std::size_t more = first < 0xC0 ? 0 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
   constexpr std::uint8_t masks[] = {0xFF, 0x1F, 0x0F, 0x07};
   char32_t character = first & masks[more];
-  for (std::size_t k = 0; k < more && !text.empty() && (text.front() & 0xC0) == 0x80; ++k) {
+  for (std::size_t k = 0; k < more && !text.empty() && (text.front() & 0xC0) == 0x80;
+       ++k) {
     character = character << 6 | (static_cast<unsigned char>(text.front()) & 0x3FU);
     text.remove_prefix(1);
   }

@@ -92,9 +92,8 @@ private:
   distanceTo(const Segment& segment, const Vector2d& place)
   {
     const Vector2d way = segment.to - segment.from;
-    const double share = way.squaredNorm() > 0
-                             ? way.dot(place - segment.from) / way.squaredNorm()
-                             : 0;
+    const double share =
+        way.squaredNorm() > 0 ? way.dot(place - segment.from) / way.squaredNorm() : 0;
     return (segment.from + std::clamp(share, 0.0, 1.0) * way - place).norm();
   }
 
@@ -190,9 +189,10 @@ private:
       return distance > 0 && distance < hidden;
     };
     return std::any_of(closed.begin(), closed.end(), isNear) ||
-           std::any_of(plan_.columns.begin(), plan_.columns.end(), [&](const auto& one) {
-             return std::abs((place - one.center).norm() - one.radius) < near;
-           });
+           std::any_of(
+               plan_.columns.begin(), plan_.columns.end(), [&](const auto& one) {
+                 return std::abs((place - one.center).norm() - one.radius) < near;
+               });
   }
 
   static Border

@@ -35,7 +35,8 @@ facesOf(const FloorPlan& plan)
     const PlanWall& wall = plan.walls[w];
     const double length = (wall.to - wall.from).norm();
     if (wall.role == SurfaceRole::Wall && length > shortest)
-      faces.push_back({w, wall.from, (wall.to - wall.from) / length, frontOf(wall), length});
+      faces.push_back(
+          {w, wall.from, (wall.to - wall.from) / length, frontOf(wall), length});
   }
   return faces;
 }
@@ -75,7 +76,8 @@ backOf(const Face& face, const Face& other)
                   std::min(to, face.length),
                   behind_from - slope * from,
                   slope};
-  if (back.begin >= back.end || std::min(back.at(back.begin), back.at(back.end)) < thinnest ||
+  if (back.begin >= back.end ||
+      std::min(back.at(back.begin), back.at(back.end)) < thinnest ||
       std::max(back.at(back.begin), back.at(back.end)) > thickest_wall)
     return {};
   return back;
@@ -137,7 +139,10 @@ quadOf(const Face& face, const Part& part)
 
 /** \brief Where two lines meet. */
 std::optional<Vector2d>
-meetingOf(const Vector2d& a, const Vector2d& way_a, const Vector2d& b, const Vector2d& way_b)
+meetingOf(const Vector2d& a,
+          const Vector2d& way_a,
+          const Vector2d& b,
+          const Vector2d& way_b)
 {
   constexpr double min_sine = 0.25;
   const double sine = cross(way_a, way_b);
