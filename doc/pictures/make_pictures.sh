@@ -65,7 +65,10 @@ picture many corridor_door 900x600 -0.4 -0.1 1.9 1.2 0.25 3.1
 
 xvfb-run -a "$bin/pcl_compact_mapping" "$scratch/many" -o "$scratch/map"
 cp "$scratch/map/inside.png" "$pictures/map_inside.png"
-cp "$scratch/map/floor_plan.png" "$pictures/map_plan.png"
+
+"$bin/pcl_simulated_rig" -o "$scratch/office" --scene office --clouds
+"$bin/pcl_compact_mapping" "$scratch/office" -o "$scratch/office_map"
+cp "$scratch/office_map/pictures/floor_plan.png" "$pictures/map_plan.png"
 
 "$bin/pcl_simulated_rig" -o "$scratch/room" --scene room --clouds
 "$bin/pcl_compact_mapping" "$scratch/room" -o "$scratch/room_map" --no-pictures

@@ -108,6 +108,15 @@ TEST(CompactMapping, PicturesNeedAnXServer)
     EXPECT_FALSE(fs::exists(folder.path("m2/pictures/") + name)) << name;
 }
 
+/** All others are drawn with VTK. */
+TEST(CompactMapping, TheFloorPlanNeedsNoXServer)
+{
+  const std::string pictures_of_map = corridor().map + "/pictures/";
+  EXPECT_EQ(contentOf(pictures_of_map + "floor_plan.png").substr(0, 4), "\x89PNG");
+  EXPECT_FALSE(fs::exists(pictures_of_map + "outside.png"));
+  EXPECT_THAT(contentOf(corridor().map + "/report.html"), HasSubstr("Floor plan: walls"));
+}
+
 TEST(CompactMapping, AnXServerThatEndsCostsThePicturesOnly)
 {
   VirtualDisplay display("1280x960x24");

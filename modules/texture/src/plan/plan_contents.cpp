@@ -63,11 +63,11 @@ public:
               walls_top_ = std::max(walls_top_, heightOf(place.cast<double>()));
     for (const BoxPatch& box : map.boxes)
       if (isFurniture(box))
-        for (const BoxFace& face : box.faces)
-          if (face.kind == BoxFaceKind::Seen || face.kind == BoxFaceKind::Slanted)
-            box_sides_.insert(face.plane);
+        addSides(box);
     for (const RecessPatch& recess : map.recesses)
-      leaves_.insert(recess.leaf);
+      if (recess.reaches_floor &&
+          isOfSize(recess.leaf, recess.size[0] * recess.size[1]))
+        leaves_.insert(recess.leaf);
   }
 
   void
@@ -106,6 +106,29 @@ private:
   heightOf(const Vector3d& place) const
   {
     return place.dot(plan_.up) - plan_.floor;
+  }
+
+  /** \brief Has a plane about an area, so that it is no wall that goes on? */
+  bool
+  isOfSize(std::int32_t plane, double area) const
+  {
+    constexpr double larger = 1.3;
+    return plane >= 0 && static_cast<std::size_t>(plane) < map_.planes.size() &&
+           map_.planes[static_cast<std::size_t>(plane)].area < larger * area;
+  }
+
+  void
+  addSides(const BoxPatch& box)
+  {
+    for (std::size_t side = 0; side < box.faces.size(); ++side) {
+      const auto axis = static_cast<Eigen::Index>(side / 2);
+      const BoxFace& face = box.faces[side];
+      if (face.kind != BoxFaceKind::Seen && face.kind != BoxFaceKind::Slanted)
+        continue;
+      box_planes_.insert(face.plane);
+      if (isOfSize(face.plane, box.size[(axis + 1) % 3] * box.size[(axis + 2) % 3]))
+        box_sides_.insert(face.plane);
+    }
   }
 
   static std::vector<Vector3d>
@@ -198,7 +221,7 @@ private:
         !(plane.area >= min_area) || plane.polygons.empty() ||
         plane.polygons.front().outer.empty() ||
         (role != SurfaceRole::Furniture && role != SurfaceRole::Other) ||
-        box_sides_.count(static_cast<std::int32_t>(number)) > 0)
+        box_planes_.count(static_cast<std::int32_t>(number)) > 0)
       return;
     const double height = heightOf(plane.polygons.front().outer.front().cast<double>());
     if (!(height > lowest_furniture && height < plan_.cut - plan_.floor))
@@ -270,9 +293,10 @@ private:
 
   const CompactMap& map_;
   FloorPlan& plan_;
-  double walls_top_ = 0;             ///< above the floor, metres
-  std::set<std::int32_t> box_sides_; ///< planes
-  std::set<std::int32_t> leaves_;    ///< planes
+  double walls_top_ = 0;              ///< above the floor, metres
+  std::set<std::int32_t> box_planes_; ///< with sides of boxes
+  std::set<std::int32_t> box_sides_;  ///< of these, those that are no larger
+  std::set<std::int32_t> leaves_;     ///< planes
 };
 
 } // namespace

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <optional>
 
 namespace pcl::acmap {
 
@@ -202,6 +203,8 @@ private:
     drawing_.add(
         PlanLayer::Doors,
         PlanArc{pivot, closed.norm(), begin, begin + half_turn / 2, swing_pen});
+    const Vector2d on_arc = closed.norm() * (closed + open).normalized();
+    places_.block({pivot, pivot + closed, pivot + on_arc, pivot + open});
   }
 
   /** \brief Width and height, beside the opening. */
@@ -234,51 +237,94 @@ private:
       }
   }
 
-  /** \brief The name and the area of each room, as large as it has a place for them. */
+  /** \brief The name and the area of each room, as large as it has a place for them; otherwise
+   * in its middle. */
   void
   addRoomTexts()
   {
+    constexpr double smallest = 1.6; // millimetres of the paper
     for (std::size_t r = 0; r < plan_.rooms.size(); ++r) {
       const PlanRoom& room = plan_.rooms[r];
       const std::string name =
           room.name.empty() ? "Room " + std::to_string(r + 1) : room.name;
-      if (!addRoomText(room, {name, areaText(room.area) + " m\u00B2"}))
-        addRoomText(room, {name + ", " + areaText(room.area) + " m\u00B2"});
+      const std::vector<std::string> lines{name, areaText(room.area) + " m\u00B2"};
+      std::optional<std::vector<PlanText>> texts;
+      for (const double height : {3.0, 2.2, smallest})
+        if (!texts)
+          texts = freeTexts(room, lines, height);
+      for (const PlanText& text :
+           texts ? *texts : textsAt(room.center, lines, smallest, 0)) {
+        places_.take(text, drawing_.scale);
+        drawing_.add(PlanLayer::Rooms, text);
+      }
     }
   }
 
-  bool
-  addRoomText(const PlanRoom& room, const std::vector<std::string>& lines)
+  /** \brief Lines below each other, the first one larger. */
+  std::vector<PlanText>
+  textsAt(const Vector2d& middle,
+          const std::vector<std::string>& lines,
+          double height,
+          double angle) const
   {
-    const auto fits = [&](const PlanText& text) {
-      const auto quad = quadOf(text, drawing_.scale);
-      return std::all_of(quad.begin(), quad.end(), [&](const Vector2d& corner) {
-        return isInside({room.outline}, corner);
-      });
+    constexpr double smaller = 0.8;
+    const Vector2d up(-std::sin(angle), std::cos(angle));
+    std::vector<PlanText> texts;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const double rows =
+          (static_cast<double>(lines.size()) - 1) / 2 - static_cast<double>(k);
+      texts.push_back({middle + rows * drawing_.metres(1.8 * height) * up,
+                       lines[k],
+                       k == 0 ? height : smaller * height,
+                       angle});
+    }
+    return texts;
+  }
+
+  /** \brief The place in a room that is nearest to its middle and free of walls and other
+   * texts, if there is one. */
+  std::optional<std::vector<PlanText>>
+  freeTexts(const PlanRoom& room,
+            const std::vector<std::string>& lines,
+            double height) const
+  {
+    const auto isFree = [&](const std::vector<PlanText>& texts) {
+      return std::all_of(texts.begin(),
+                         texts.end(),
+                         [&](const PlanText& text) {
+                           const auto quad = quadOf(text, drawing_.scale);
+                           return std::all_of(
+                               quad.begin(), quad.end(), [&](const Vector2d& corner) {
+                                 return isInside({room.outline}, corner);
+                               });
+                         }) &&
+             places_.areFree(texts, drawing_.scale);
     };
-    for (const double height : {3.0, 2.2, 1.6})
-      for (const double angle : {0.0, half_turn / 2}) {
-        const Vector2d up(-std::sin(angle), std::cos(angle));
-        std::vector<PlanText> texts;
-        for (std::size_t k = 0; k < lines.size(); ++k) {
-          const double rows =
-              (static_cast<double>(lines.size()) - 1) / 2 - static_cast<double>(k);
-          texts.push_back({room.center + rows * drawing_.metres(1.8 * height) * up,
-                           lines[k],
-                           k == 0 ? height : 0.8 * height,
-                           angle});
-        }
-        const bool is_last = lines.size() == 1 && height < 2 && angle > 0;
-        if (!is_last && (!places_.areFree(texts, drawing_.scale) ||
-                         !std::all_of(texts.begin(), texts.end(), fits)))
-          continue;
-        for (const PlanText& text : texts) {
-          places_.take(text, drawing_.scale);
-          drawing_.add(PlanLayer::Rooms, text);
-        }
-        return true;
-      }
-    return false;
+    for (const Vector2d& place : placesIn(room))
+      for (const double angle : {0.0, half_turn / 2})
+        if (auto texts = textsAt(place, lines, height, angle); isFree(texts))
+          return texts;
+    return {};
+  }
+
+  /** \brief The middle of a room, and places around it, by their distance. */
+  static std::vector<Vector2d>
+  placesIn(const PlanRoom& room)
+  {
+    constexpr int across = 12; // places
+    Eigen::AlignedBox2d box;
+    for (const Vector2d& corner : room.outline)
+      box.extend(corner);
+    std::vector<Vector2d> places{room.center};
+    for (int i = 1; i < across && !box.isEmpty(); ++i)
+      for (int j = 1; j < across; ++j)
+        places.emplace_back(box.min() +
+                            box.sizes().cwiseProduct(Vector2d(i, j)) / across);
+    std::stable_sort(
+        places.begin(), places.end(), [&](const Vector2d& a, const Vector2d& b) {
+          return (a - room.center).norm() < (b - room.center).norm();
+        });
+    return places;
   }
 
   std::vector<std::string>
