@@ -16,6 +16,10 @@ viewOfObservation(const TexturedObservation& observation)
       field && observation.cloud.bytes() > 0)
     view.intensities = {
         observation.cloud.data() + field->offset, cloud.point_step, field->datatype};
+  if (const PCLPointField* const field =
+          findField(cloud, "view", PCLPointField::INT32);
+      field && observation.cloud.bytes() > 0)
+    view.stations = {observation.cloud.data() + field->offset, cloud.point_step};
   const bool is_picture = observation.has_sensor && cloud.height > 1;
   view.width = is_picture ? static_cast<int>(cloud.width) : 0;
   view.has_eye = observation.has_sensor;

@@ -360,8 +360,9 @@ agreeOnTexelSize(const ObservationSequence& observations,
   for (std::size_t i = 0; i < observations.size() && !first; ++i)
     first = loadTextured(observations, i, skip_broken);
   if (first)
-    texturing.setTexelSize(
-        automaticTexelSize(texturing.getPlanes(), viewOfObservation(*first)));
+    texturing.setTexelSize(automaticTexelSize(texturing.getPlanes(),
+                                              texturing.getCylinders(),
+                                              viewOfObservation(*first)));
 }
 
 /** II-C */

@@ -9,24 +9,27 @@ namespace {
 using Samples = std::array<Sample, Canvas::max_samples>;
 
 struct Weighted {
-  double value, weight;
+  double value = 0, weight = 0;
 };
 
+using Weights = std::array<Weighted, Canvas::max_samples>;
+
 double
-weightedMedian(std::vector<Weighted>& values)
+weightedMedian(Weights& values, std::size_t count)
 {
-  std::sort(values.begin(), values.end(), [](const Weighted& a, const Weighted& b) {
+  const auto end = values.begin() + static_cast<std::ptrdiff_t>(count);
+  std::sort(values.begin(), end, [](const Weighted& a, const Weighted& b) {
     return a.value < b.value;
   });
   double all = 0, sum = 0;
-  for (const Weighted& one : values)
-    all += one.weight;
-  for (const Weighted& one : values) {
-    sum += one.weight;
+  for (auto one = values.begin(); one != end; ++one)
+    all += one->weight;
+  for (auto one = values.begin(); one != end; ++one) {
+    sum += one->weight;
     if (2 * sum >= all)
-      return one.value;
+      return one->value;
   }
-  return values.back().value;
+  return values[count - 1].value;
 }
 
 double
@@ -39,13 +42,13 @@ std::array<double, 3>
 medianOf(const Samples& samples, const std::vector<double>& gains)
 {
   std::array<double, 3> median{};
-  std::vector<Weighted> values;
   for (std::size_t k = 0; k < 3; ++k) {
-    values.clear();
+    Weights values;
+    std::size_t count = 0;
     for (const Sample& sample : samples)
       if (sample.weight > 0)
-        values.push_back({corrected(sample, k, gains), sample.weight});
-    median[k] = weightedMedian(values);
+        values[count++] = {corrected(sample, k, gains), sample.weight};
+    median[k] = weightedMedian(values, count);
   }
   return median;
 }
@@ -142,6 +145,29 @@ average(const Canvas& canvas, TexturePicture& picture)
       setSeen(canvas.points[texel].mean(), texel, picture);
 }
 
+namespace {
+
+/** A texel, by column and row. */
+using TexelAt = std::pair<std::int32_t, std::int32_t>;
+
+/** Calls function (column, row) for a texel and its neighbours, as far as they are in the
+ * picture. */
+template <typename Function>
+void
+forAround(const RgbImage& picture, const TexelAt& texel, Function&& function)
+{
+  const auto& [column, row] = texel;
+  for (std::int32_t r = std::max(row - 1, 0);
+       r <= std::min(row + 1, picture.height - 1);
+       ++r)
+    for (std::int32_t c = std::max(column - 1, 0);
+         c <= std::min(column + 1, picture.width - 1);
+         ++c)
+      function(c, r);
+}
+
+} // namespace
+
 void
 fillHoles(int distance, const LargeVector<TexelPlace>& mask, TexturePicture& picture)
 {
@@ -150,35 +176,42 @@ fillHoles(int distance, const LargeVector<TexelPlace>& mask, TexturePicture& pic
                static_cast<std::size_t>(picture.colors.width) +
            static_cast<std::size_t>(column);
   };
-  std::vector<std::pair<std::int32_t, std::int32_t>> holes;
-  for (std::int32_t row = 0; row < picture.colors.height; ++row)
-    for (std::int32_t column = 0; column < picture.colors.width; ++column) {
+  LargeVector<std::uint8_t> is_listed(mask.size(), 0);
+  std::vector<TexelAt> next; // texels without a colour beside those with one
+  const auto listAround = [&](const TexelAt& known) {
+    forAround(picture.colors, known, [&](std::int32_t column, std::int32_t row) {
       const std::size_t texel = texelAt(column, row);
-      if (mask[texel] != TexelPlace::Outside && picture.kinds[texel] == TexelKind::None)
-        holes.emplace_back(column, row);
-    }
-  for (int ring = 0; ring <= distance && !holes.empty(); ++ring) {
-    const bool is_last = ring == distance;
-    std::vector<std::pair<std::int32_t, std::int32_t>> left, filled;
+      if (mask[texel] == TexelPlace::Outside ||
+          picture.kinds[texel] != TexelKind::None || is_listed[texel])
+        return;
+      is_listed[texel] = 1;
+      next.emplace_back(column, row);
+    });
+  };
+  for (std::int32_t row = 0; row < picture.colors.height; ++row)
+    for (std::int32_t column = 0; column < picture.colors.width; ++column)
+      if (picture.kinds[texelAt(column, row)] != TexelKind::None)
+        listAround({column, row});
+  for (int ring = 0; ring <= distance && !next.empty(); ++ring) {
+    std::vector<TexelAt> filled;
     std::vector<std::array<std::uint8_t, 3>> colors;
-    for (const auto& [column, row] : holes) {
+    for (const auto& [column, row] : next) {
       std::array<std::uint8_t, 3> color{};
-      const bool may_be = !is_last || mask[texelAt(column, row)] == TexelPlace::Rim;
+      const bool may_be =
+          ring < distance || mask[texelAt(column, row)] == TexelPlace::Rim;
       if (may_be && meanOfNeighbours(picture, column, row, color)) {
         filled.emplace_back(column, row);
         colors.push_back(color);
       }
-      else
-        left.emplace_back(column, row);
     }
-    if (filled.empty())
-      break;
+    next.clear();
     for (std::size_t k = 0; k < filled.size(); ++k) {
       const auto& [column, row] = filled[k];
       std::copy(colors[k].begin(), colors[k].end(), picture.colors.at(column, row));
       picture.kinds[texelAt(column, row)] = TexelKind::Filled;
     }
-    holes = std::move(left);
+    for (const TexelAt& texel : filled)
+      listAround(texel);
   }
 }
 

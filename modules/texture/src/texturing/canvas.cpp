@@ -15,11 +15,7 @@ namespace {
 
 using Grids = std::vector<std::optional<ChartGrid>>;
 
-constexpr double max_texels = 1 << 28; ///< of a map
-
-/** Of what is painted: three quarters of the largest pages (AtlasLimits), for which charts
- * with more texels would be halved. */
-constexpr double max_painted = 3 << 24;
+constexpr double most_texels = 1 << 28; ///< of a map
 
 /** Grids of all polygons, plane by plane. */
 Grids
@@ -116,17 +112,18 @@ addRim(std::size_t width, std::size_t height, LargeVector<TexelPlace>& mask)
 } // namespace
 
 double
-legalTexelSize(const std::vector<PlanePatch>& planes,
-               const std::vector<CylinderPatch>& cylinders,
-               double texel_size)
+boundedTexelSize(const std::vector<PlanePatch>& planes,
+                 const std::vector<CylinderPatch>& cylinders,
+                 double texel_size,
+                 double max_texels,
+                 double max_enlargement)
 {
-  constexpr double max_enlargement = 16; // of a laser scan from the air
   for (double size = texel_size; size <= max_enlargement * texel_size;) {
     const double texels = texelsOf(gridsOf(planes, size), cylinders, size);
-    if (texels <= max_painted)
+    if (texels <= max_texels)
       return size;
     // the rest is for rows and columns that are cut
-    size *= 1.001 * std::sqrt(texels / max_painted);
+    size *= 1.001 * std::sqrt(texels / max_texels);
   }
   return texel_size;
 }
@@ -147,7 +144,7 @@ canvasesOf(const std::vector<PlanePatch>& planes,
            std::size_t& left_out)
 {
   const Grids grids = gridsOf(planes, texel_size);
-  if (texelsOf(grids, cylinders, texel_size) > max_texels)
+  if (texelsOf(grids, cylinders, texel_size) > most_texels)
     throw acmap::BadArgument("the charts have more than 2^28 texels of ",
                              shortNumber(texel_size),
                              " m: choose larger ones, if the lengths are metres");

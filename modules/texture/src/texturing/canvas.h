@@ -111,12 +111,14 @@ struct Canvas {
   }
 };
 
-/** The edge of a texel in metres, one to sixteen times \p texel_size, of which these surfaces
- * have at most as many as the pages of a map hold; \p texel_size if there is none. */
+/** The edge of a texel in metres, one to \p max_enlargement times \p texel_size, of which these
+ * surfaces have at most \p max_texels; \p texel_size if there is none. */
 double
-legalTexelSize(const std::vector<PlanePatch>& planes,
-               const std::vector<CylinderPatch>& cylinders,
-               double texel_size);
+boundedTexelSize(const std::vector<PlanePatch>& planes,
+                 const std::vector<CylinderPatch>& cylinders,
+                 double texel_size,
+                 double max_texels,
+                 double max_enlargement);
 
 /** The canvases of the polygons, in the order of the planes, then those of the cylinders,
  * without samples and points. A cylinder has one canvas, whose texels are enlarged if it

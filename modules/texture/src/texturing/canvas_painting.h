@@ -5,6 +5,10 @@
 #include <pcl/core/pinhole.h>
 #include <pcl/texture/impl/texturing_kernel.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace pcl::acmap::texturing {
@@ -33,11 +37,51 @@ paintPinhole(const ColoredView& view,
              const PointLabels& nearest,
              std::vector<Canvas>& canvases);
 
-/** Colours each texel with the mean of the points that fall into it; for clouds whose
- * camera is unknown. */
+/** Unpacks the colour of a point of a view. */
+inline std::array<std::uint8_t, 3>
+colorOf(const ColoredView& view, std::size_t i)
+{
+  std::uint32_t packed;
+  const auto place = static_cast<std::size_t>(view.points.index(i));
+  std::memcpy(&packed,
+              static_cast<const char*>(view.colors.first) + view.colors.stride * place,
+              sizeof packed);
+  return {static_cast<std::uint8_t>(packed >> 16),
+          static_cast<std::uint8_t>(packed >> 8),
+          static_cast<std::uint8_t>(packed)};
+}
+
+/** The stations from which a merged cloud was seen: a single one if it does not say. */
+class Stations {
+public:
+  Stations() = default;
+
+  explicit Stations(const ColoredView& view);
+
+  std::size_t
+  count() const
+  {
+    return std::max<std::size_t>(numbers_.size(), 1);
+  }
+
+  /** Which of them saw a point. */
+  std::int32_t
+  indexOf(const ColoredView& view, std::size_t point) const;
+
+private:
+  static std::int32_t
+  stationOf(const ColoredView& view, std::size_t point);
+
+  std::vector<std::int32_t> numbers_; ///< ascending; empty if there is one
+};
+
+/** Colours each texel with the robust middle of the points that are nearest to it, of each
+ * station alone; for clouds whose camera is unknown.
+ * \param[in] number of the view of the first station */
 void
 splat(const ColoredView& view,
       std::int32_t number,
+      const Stations& stations,
       const PointLabels& nearest,
       std::vector<Canvas>& canvases);
 

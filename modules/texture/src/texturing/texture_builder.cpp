@@ -1,11 +1,15 @@
 #include "texturing/canvas_painting.h"
 #include "texturing/intensity_greys.h"
+#include "texturing/sheet.h"
+#include "texturing/texel_size.h"
+#include "texturing/view_selection.h"
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/texture/impl/texturing_kernel.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <set>
 
@@ -17,12 +21,14 @@ namespace {
 
 /** Numbers of views and points. */
 struct Counts {
-  std::size_t views = 0, pinholes = 0, splatted = 0, colorless = 0;
+  std::size_t observations = 0, views = 0; // each station of a cloud is a view
+  std::size_t pinholes = 0, splatted = 0, colorless = 0;
   std::size_t invalid_points = 0, colored_points = 0, far_points = 0;
 
   void
   add(const Counts& other)
   {
+    observations += other.observations;
     views += other.views;
     pinholes += other.pinholes;
     splatted += other.splatted;
@@ -103,12 +109,6 @@ joinSamples(const Canvas::Samples& samples,
 
 } // namespace
 
-namespace {
-
-constexpr double usual_texel_size = 0.02; // metres
-
-} // namespace
-
 struct TextureBuilder::State {
   std::vector<PlanePatch> planes;
   std::vector<CylinderPatch> cylinders;
@@ -156,22 +156,6 @@ TextureBuilder::prepare(double automatic_texel_size) const
 }
 
 double
-automaticTexelSize(const std::vector<PlanePatch>& planes, const ColoredView& view)
-{
-  constexpr double coarsest = 10;
-  if (fitUprightPinhole(view.points, static_cast<std::size_t>(view.width)))
-    return usual_texel_size;
-  double area = 0, support = 0;
-  for (const PlanePatch& plane : planes) {
-    area += plane.area;
-    support += static_cast<double>(plane.support);
-  }
-  const double spacing = support > 0 ? std::sqrt(area / support) : 0;
-  return spacing < 2 * coarsest ? std::max(usual_texel_size, spacing / 2)
-                                : usual_texel_size;
-}
-
-double
 texturingMemory(const std::vector<PlanePatch>& planes,
                 const std::vector<CylinderPatch>& cylinders,
                 const TexturingSettings& settings)
@@ -181,8 +165,9 @@ texturingMemory(const std::vector<PlanePatch>& planes,
   const std::size_t of_work =
       settings.paper ? sizeof(PointColors) : sizeof(Canvas::Samples);
   const std::size_t in_work = is_in_files ? 0 : of_work + sizeof(TexelPlace);
-  const double wanted =
-      settings.texel_size > 0 ? settings.texel_size : usual_texel_size;
+  const double automatic =
+      settings.paper ? paper_texel_size : finestTexelSize(planes, cylinders);
+  const double wanted = settings.texel_size > 0 ? settings.texel_size : automatic;
   const double texels =
       canvasTexels(planes, cylinders, legalTexelSize(planes, cylinders, wanted));
   return texels * static_cast<double>(in_work + finished);
@@ -200,9 +185,13 @@ TextureBuilder::add(const ColoredView& given)
     view.has_eye = false;
   }
   if (state.wanted_texel_size == 0)
-    prepare(state.settings.paper ? usual_texel_size
-                                 : automaticTexelSize(state.planes, view));
-  const auto number = static_cast<std::int32_t>(state.counts.views++);
+    prepare(state.settings.paper
+                ? paper_texel_size
+                : automaticTexelSize(state.planes, state.cylinders, view));
+  const auto number = static_cast<std::int32_t>(state.counts.views);
+  const Stations stations = view.has_eye ? Stations() : Stations(view);
+  ++state.counts.observations;
+  state.counts.views += stations.count();
   std::size_t finite = 0;
   for (std::size_t i = 0; i < view.points.size(); ++i)
     finite += view.points[i].allFinite() ? 1 : 0;
@@ -239,7 +228,7 @@ TextureBuilder::add(const ColoredView& given)
     }
     else {
       ++state.counts.splatted;
-      splat(view, number, nearest, state.canvases);
+      splat(view, number, stations, nearest, state.canvases);
     }
   });
 }
@@ -248,7 +237,7 @@ void
 TextureBuilder::sendTo(const Trajectory& trajectory,
                        const std::function<void(const ByteParcel&)>& send) const
 {
-  prepare(usual_texel_size);
+  prepare(paper_texel_size);
   ByteParcel head;
   head.put(PaintedPart::Counts);
   head.put(state_->counts);
@@ -268,7 +257,7 @@ TextureBuilder::sendTo(const Trajectory& trajectory,
 void
 TextureBuilder::join(ByteParcel& parcel, Trajectory& trajectory)
 {
-  prepare(usual_texel_size);
+  prepare(paper_texel_size);
   State& state = *state_;
   const auto part = parcel.take<PaintedPart>();
   if (part == PaintedPart::Counts) {
@@ -391,15 +380,40 @@ remark(std::size_t left_out, double texel_size, TexturingReport& report)
 
 } // namespace
 
+/** Paints each region with one of the images, where there are any. */
+void
+TextureBuilder::showViews(const std::vector<double>& gains,
+                          const std::vector<TexturePicture*>& pictures) const
+{
+  const std::vector<Sheet> sheets =
+      sheetsOf(state_->canvases, state_->settings.maximum_texture_size);
+  oneapi::tbb::parallel_for(std::size_t{0}, sheets.size(), [&](std::size_t i) {
+    TileViews(sheets[i], pictures, gains).paint(pictures);
+  });
+}
+
+/** How far holes are filled, texels. */
+int
+TextureBuilder::fillDistance() const
+{
+  constexpr double usual = 0.1; // metres
+  const TexturingSettings& settings = state_->settings;
+  if (settings.paper)
+    return 0;
+  if (settings.fill_distance >= 0)
+    return settings.fill_distance;
+  return std::clamp(static_cast<int>(std::lround(usual / state_->texel_size)), 5, 100);
+}
+
 CompactMap
 TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
 {
-  prepare(usual_texel_size);
+  prepare(paper_texel_size);
   const State& state = *state_;
   return withThreads(state.settings.threads, [&] {
     report = {};
     StepTimer timer(report);
-    report.observations = state.counts.views;
+    report.observations = state.counts.observations;
     report.pinholes = state.counts.pinholes;
     report.splatted = state.counts.splatted;
     report.colorless = state.counts.colorless;
@@ -426,9 +440,12 @@ TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
         average(state.canvases[c], *pictures[c]);
       else
         blend(report.gains, state.canvases[c], *pictures[c]);
-      fillHoles(is_paper ? 0 : state.settings.fill_distance,
-                state.canvases[c].mask,
-                *pictures[c]);
+    });
+    if (!is_paper && state.counts.pinholes > 0)
+      showViews(report.gains, pictures);
+    const int fill_distance = fillDistance();
+    oneapi::tbb::parallel_for(std::size_t{0}, pictures.size(), [&](std::size_t c) {
+      fillHoles(fill_distance, state.canvases[c].mask, *pictures[c]);
     });
     for (std::size_t c = 0; c < pictures.size(); ++c)
       count(state.canvases[c], *pictures[c], report);

@@ -16,20 +16,6 @@ namespace {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/** Unpacks the colour of a point of a view. */
-Rgb
-colorOf(const ColoredView& view, std::size_t i)
-{
-  std::uint32_t packed;
-  const auto place = static_cast<std::size_t>(view.points.index(i));
-  std::memcpy(&packed,
-              static_cast<const char*>(view.colors.first) + view.colors.stride * place,
-              sizeof packed);
-  return {static_cast<std::uint8_t>(packed >> 16),
-          static_cast<std::uint8_t>(packed >> 8),
-          static_cast<std::uint8_t>(packed)};
-}
-
 /** What a pixel sees, if it is no surface of the map. */
 constexpr std::int32_t something_else = -1, nothing = -2;
 
@@ -214,7 +200,7 @@ private:
   {
     const double texel = canvas_.surface.texelWidth();
     const double pixels = texel * camera_.fx / point.z();
-    const int side = static_cast<int>(std::clamp(std::ceil(pixels), 1.0, 5.0));
+    const int side = static_cast<int>(std::clamp(std::round(pixels), 1.0, 5.0));
     Sums sums{};
     int count = 0;
     for (int v = 0; v < side; ++v)
@@ -294,31 +280,6 @@ private:
   Eigen::Isometry3d T_camera_map_;
 };
 
-/** Indices of the points of one canvas, in ascending order. */
-/** \param[in] first, last of the numbers of the points */
-void
-splatOnto(const ColoredView& view,
-          std::int32_t number,
-          const std::uint32_t* first,
-          const std::uint32_t* last,
-          Canvas& canvas)
-{
-  LargeVector<PointColors> sums(canvas.mask.size());
-  for (; first != last; ++first) {
-    const std::uint32_t i = *first;
-    if (i % parallel_chunk == 0)
-      pollRun();
-    const Eigen::Vector2d place =
-        canvas.surface.placeOf(view.T_map_camera * view.points[i].cast<double>());
-    const std::size_t texel = canvas.texelAt(place);
-    if (canvas.mask[texel] == TexelPlace::Inside)
-      sums[texel].add(colorOf(view, i));
-  }
-  for (std::size_t t = 0; t < sums.size(); ++t)
-    if (sums[t].count > 0)
-      canvas.offer(t, {static_cast<float>(sums[t].count), number, sums[t].mean()});
-}
-
 } // namespace
 
 void
@@ -351,48 +312,6 @@ paintPinhole(const ColoredView& view,
                               canvas.chart.colors.height,
                               [&](std::int32_t row) { painter.paintRow(row); });
   });
-}
-
-void
-splat(const ColoredView& view,
-      std::int32_t number,
-      const PointLabels& nearest,
-      std::vector<Canvas>& canvases)
-{
-  std::vector<std::size_t> ends(canvases.size() + 1, 0); // of the points of each canvas
-  for (const std::int32_t canvas : nearest)
-    if (canvas >= 0)
-      ++ends[static_cast<std::size_t>(canvas) + 1];
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  LargeVector<std::uint32_t> points(ends.back());
-  for (std::size_t i = 0; i < nearest.size(); ++i) {
-    if (i % parallel_chunk == 0)
-      pollRun();
-    if (nearest[i] >= 0)
-      points[ends[static_cast<std::size_t>(nearest[i])]++] =
-          static_cast<std::uint32_t>(i);
-  }
-  for (std::size_t c = 0, begin = 0; c < canvases.size(); begin = ends[c++])
-    if (begin < ends[c])
-      splatOnto(
-          view, number, points.data() + begin, points.data() + ends[c], canvases[c]);
-}
-
-void
-addPoints(const ColoredView& view,
-          std::int32_t number,
-          const PointLabels& nearest,
-          std::vector<Canvas>& canvases)
-{
-  for (std::size_t i = 0; i < nearest.size(); ++i) {
-    if (nearest[i] < 0)
-      continue;
-    Canvas& canvas = canvases[static_cast<std::size_t>(nearest[i])];
-    const Eigen::Vector3d point = view.T_map_camera * view.points[i].cast<double>();
-    canvas.points[canvas.texelAt(canvas.surface.placeOf(point))].add(colorOf(view, i));
-    if (canvas.views.empty() || canvas.views.back() != number)
-      canvas.views.push_back(number);
-  }
 }
 
 } // namespace pcl::acmap::texturing

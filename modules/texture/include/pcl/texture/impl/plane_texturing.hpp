@@ -89,7 +89,7 @@ template <typename PointT>
 void
 PlaneTexturing<PointT>::setFillDistance(int texels)
 {
-  acmap::requireInRange("fill distance", texels, 0, 1000, "texels");
+  acmap::requireInRange("fill distance", texels, -1, 1000, "texels, -1: automatic");
   settings_.fill_distance = texels;
 }
 

@@ -9,6 +9,8 @@
 #include <pcl/core/trajectory.h>
 #include <pcl/texture/texturing_types.h>
 
+#include <cstdint>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -20,7 +22,7 @@ struct TexturingSettings {
   double texel_size = 0;           ///< 0: automatic, see \ref automaticTexelSize
   double maximum_distance = 0.3;   ///< from a point to the plane it colours
   int maximum_texture_size = 4088; ///< texels per side; larger polygons are tiled
-  int fill_distance = 5;           ///< texels; how far holes are filled
+  int fill_distance = -1; ///< texels, how far holes are filled; -1: 0.1 m, at least 5
   bool correct_exposure = true;
   bool paper = false;   ///< each point colours its closest plane, and nothing else does
   unsigned threads = 0; ///< 0: all
@@ -39,11 +41,32 @@ struct IntensityView {
   }
 };
 
+/** \brief The stations from which the points of a merged cloud were seen, as its field `view`
+ * numbers them. */
+struct StationView {
+  const void* first = nullptr; ///< an std::int32_t, of the first point
+  std::size_t stride = 0;      ///< bytes
+
+  explicit operator bool() const
+  {
+    return first != nullptr;
+  }
+
+  std::int32_t
+  operator[](std::size_t i) const
+  {
+    std::int32_t station;
+    std::memcpy(&station, static_cast<const char*>(first) + i * stride, sizeof station);
+    return station;
+  }
+};
+
 /** \brief Coloured points that were observed from one pose. */
 struct ColoredView {
   PointView points;          ///< camera frame, metres; NaN where nothing was measured
   ColorView colors;          ///< valid at every pixel; empty if there are none
   IntensityView intensities; ///< taken as grey if there are no colours
+  StationView stations;      ///< empty: all points have been seen from one station
   int width = 0; ///< pixels, of an organized cloud in row-major order; else 0
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
 
@@ -57,15 +80,19 @@ struct ColoredView {
 ACMAP_EXPORT ColoredView
 viewOfObservation(const TexturedObservation& observation);
 
-/** \brief The edge of a texel where none is set, metres: 0.02, but for the points of a view that
- * is no image not finer than half their spacing, or most texels would get no colour.
+/** \brief The edge of a texel where none is set, metres.
  *
- * The spacing is that of the points from which the planes were fitted, on the average of all
- * planes. In an image each texel gets the colour of a pixel, however far apart the points are
- * that have a depth.
+ * In an image, a texel is as large as a pixel on what is near, at the lower quartile of the depths,
+ * within 3 and 30 mm: each texel gets the colour of a pixel, however far apart the points are that
+ * have a depth. Of other points, it is half their spacing, that of the points from which the planes
+ * were fitted, on the average of all planes, and at least 3 mm: of finer ones, most would get no
+ * colour. It is larger where the charts would have more than 12 million texels, three quarters of
+ * a page of 4096 x 4096.
  * \param[in] view the first one that colours them */
 ACMAP_EXPORT double
-automaticTexelSize(const std::vector<PlanePatch>& planes, const ColoredView& view);
+automaticTexelSize(const std::vector<PlanePatch>& planes,
+                   const std::vector<CylinderPatch>& cylinders,
+                   const ColoredView& view);
 
 /** \brief Estimates the memory in bytes for texturing these surfaces with any number of
  * views. */
@@ -114,6 +141,13 @@ private:
   /** \brief Makes the canvases, whose texels may have the size for a first view. */
   void
   prepare(double automatic_texel_size) const;
+
+  void
+  showViews(const std::vector<double>& gains,
+            const std::vector<TexturePicture*>& pictures) const;
+
+  int
+  fillDistance() const;
 
   std::unique_ptr<State> state_;
 };
