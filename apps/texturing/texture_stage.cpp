@@ -68,14 +68,15 @@ addTextureOptions(Tool& tool, TextureOptions& options)
 {
   CLI::App& app = tool.options();
   Texturing& stage = options.stage;
-  addSetter(app,
-            "--texel",
-            stage,
-            &Texturing::setTexelSize,
-            &Texturing::getTexelSize,
-            "Edge of a texel, metres [default: 0.02, and for points that are not in an "
-            "image not finer than half their spacing]",
-            "M")
+  addSetter(
+      app,
+      "--texel",
+      stage,
+      &Texturing::setTexelSize,
+      &Texturing::getTexelSize,
+      "Edge of a texel, metres [default: a pixel of the first observation on what is "
+      "near, 0.003 to 0.03; half the spacing of points that are not in an image]",
+      "M")
       ->default_str("");
   addSetter(app,
             "--max-distance",
@@ -93,13 +94,15 @@ addTextureOptions(Tool& tool, TextureOptions& options)
       "Texels a side; larger polygons get several textures, larger cylinders larger "
       "texels",
       "N");
-  addSetter(app,
-            "--fill",
-            stage,
-            &Texturing::setFillDistance,
-            &Texturing::getFillDistance,
-            "How far holes are filled from their rims, texels",
-            "N");
+  addSetter(
+      app,
+      "--fill",
+      stage,
+      &Texturing::setFillDistance,
+      &Texturing::getFillDistance,
+      "How far holes are filled from their rims, texels [default: 0.1 m, at least 5]",
+      "N")
+      ->default_str("");
   addSwitch(app,
             "--keep-exposure",
             stage,

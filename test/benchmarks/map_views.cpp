@@ -101,6 +101,7 @@ castMap(const CompactMap& map,
   MapView view;
   view.is_known.resize(width * static_cast<std::size_t>(camera.height));
   view.rgb.resize(3 * view.is_known.size());
+  view.depth.resize(view.is_known.size());
   const Pinhole& pinhole = camera.pinhole;
   oneapi::tbb::parallel_for(std::size_t{0}, view.is_known.size(), [&](std::size_t i) {
     const Eigen::Vector3d in_camera(
@@ -113,6 +114,7 @@ castMap(const CompactMap& map,
     if (!hit)
       return;
     view.is_known[i] = 1;
+    view.depth[i] = static_cast<float>(nearest.distance);
     const Eigen::Vector3d color = colorAt(*hit, nearest.texel);
     for (std::size_t k = 0; k < 3; ++k)
       view.rgb[3 * i + k] =

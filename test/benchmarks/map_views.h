@@ -15,6 +15,7 @@ namespace pcl::acmap::bench {
 struct MapView {
   std::vector<std::uint8_t> rgb;      ///< 3 per pixel, in row-major order from the top
   std::vector<std::uint8_t> is_known; ///< one per pixel: a texel with colour was hit
+  std::vector<float> depth;           ///< one per pixel, metres along the camera's axis
 };
 
 /** \brief A camera and the size of its images in pixels. */

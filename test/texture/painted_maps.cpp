@@ -10,6 +10,7 @@ Texturing
 texturingOf(const std::vector<PlanePatch>& planes, const std::vector<View>& views)
 {
   Texturing texturing;
+  texturing.setTexelSize(0.02);
   texturing.setPlanes(planes);
   for (const View& view : views)
     texturing.addObservation(view.cloud, view.T_map_camera);

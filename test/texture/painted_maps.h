@@ -8,7 +8,7 @@ namespace pcl::acmap::test {
 
 using Texturing = PlaneTexturing<PointXYZRGB>;
 
-/** \brief A PlaneTexturing with planes and views. */
+/** \brief A PlaneTexturing with planes and views, and texels of 2 cm. */
 Texturing
 texturingOf(const std::vector<PlanePatch>& planes, const std::vector<View>& views);
 

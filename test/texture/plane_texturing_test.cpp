@@ -399,23 +399,170 @@ TEST(PlaneTexturing, TexelsAreNoFinerThanHalfTheSpacingOfPoints)
     planes.front().support = view.cloud->size();
     planes.front().area = 3 * 2.4;
     Texturing texturing = texturingOf(planes, {view});
+    texturing.setTexelSize(0);
     const TexturingReport report = reportOf(texturing);
-    EXPECT_GE(report.texel_size, std::max(0.02, 0.45 * spacing));
-    EXPECT_LE(report.texel_size, std::max(0.02, 0.7 * spacing));
+    EXPECT_GE(report.texel_size, 0.45 * spacing);
+    EXPECT_LE(report.texel_size, 0.7 * spacing);
     EXPECT_GT(report.seen + report.filled, report.texels * 9 / 10) << spacing;
     texturing.setTexelSize(0.05);
     EXPECT_EQ(reportOf(texturing).texel_size, 0.05);
   }
 }
 
-TEST(PlaneTexturing, TexelsOfImagesAreAsFineAsUsualHoweverFewPointsAPlaneHas)
+TEST(PlaneTexturing, TexelsOfImagesAreTheirPixelsHoweverFewPointsAPlaneHas)
 {
   std::vector<PlanePatch> planes = planesOfWallAndFloor();
   for (PlanePatch& plane : planes) {
     plane.support = 30;
     plane.area = 6;
   }
-  EXPECT_EQ(reportOf(texturingOf(planes, views())).texel_size, 0.02);
+  Texturing texturing = texturingOf(planes, views());
+  texturing.setTexelSize(0);
+  EXPECT_NEAR(
+      reportOf(texturing).texel_size, 2.7 / 210, 0.001); // the wall is 2.7 m away
+}
+
+TEST(PlaneTexturing, AutomaticTexelsAreAtMostEightMillion)
+{
+  const PlanePatch wide =
+      makePlane({0, 0, -1}, {{-40, -40, 3}, {-40, 40, 3}, {40, 40, 3}, {40, -40, 3}});
+  Texturing texturing = texturingOf({wide}, {lookAt(wallAndFloor())});
+  texturing.setTexelSize(0);
+  const TexturingReport report = reportOf(texturing);
+  EXPECT_LE(report.texels, std::size_t{1} << 23);
+  EXPECT_GT(report.texels, std::size_t{7} << 20);
+  EXPECT_TRUE(report.remarks.empty());
+}
+
+/** Share of the seen texels of the wall inside of squares that have another colour. */
+double
+wrongSquares(const CompactMap& map)
+{
+  double wrong = 0, all = 0;
+  forTexels(map, TexelKind::Seen, [&](const auto&, const auto* color, const auto& at) {
+    const auto isInside = [](double along) {
+      return std::abs(along / square - std::floor(along / square) - 0.5) < 0.35;
+    };
+    if (!isInside(at.x()) || !isInside(at.y()))
+      return;
+    const Rgb truth = wallColor(at);
+    ++all;
+    wrong += std::abs(color[0] - truth[0]) > 40 ? 1 : 0;
+  });
+  EXPECT_GT(all, 1000);
+  return wrong / all;
+}
+
+/** The wall, whose squares are 10 cm, in five views, of which one was taken 3 cm beside the
+ * place that its pose says. */
+TEST(PlaneTexturing, ViewsWithWrongPosesAreMovedOntoTheOthers)
+{
+  std::vector<View> seen;
+  for (const double aside : {-0.4, -0.2, 0.0, 0.2, 0.4})
+    seen.push_back(lookAt(wallAndFloor(), {{aside, 0, 0.8}}));
+  const std::vector<PlanePatch> wall = {planesOfWallAndFloor().front()};
+  Texturing exact = texturingOf(wall, seen);
+  exact.setTexelSize(0.01);
+  EXPECT_LT(wrongSquares(painted(exact)), 0.001);
+  seen[2] = lookAt(wallAndFloor(), {{0.03, 0, 0.8}}); // of the nearest part of the wall
+  seen[2].T_map_camera.translation().x() = 0;
+  Texturing moved = texturingOf(wall, seen);
+  moved.setTexelSize(0.01);
+  EXPECT_LT(wrongSquares(painted(moved)), 0.02);
+}
+
+/** Stripes of 4 cm on the wall in two views that agree: neither is blurred by the other. */
+TEST(PlaneTexturing, ARegionShowsOneView)
+{
+  std::vector<Screen> striped = wallAndFloor();
+  striped[0].color = [](const Eigen::Vector3d& at) {
+    return std::fmod(std::floor(at.x() / 0.04) + 1000, 2) == 0 ? Rgb{220, 220, 220}
+                                                               : Rgb{40, 40, 40};
+  };
+  Texturing texturing = texturingOf({middleOfWall()},
+                                    {lookAt(striped, {{0, 0, 2}}),
+                                     lookAt(striped, {{0.2, 0.1, -3}}),
+                                     lookAt(striped, {{-0.2, 0.1, -3}})});
+  texturing.setTexelSize(0.005);
+  const CompactMap map = painted(texturing);
+  double off = 0, count = 0;
+  forTexels(map, TexelKind::Seen, [&](const auto&, const auto* color, const auto& at) {
+    if (at.template head<2>().cwiseAbs().maxCoeff() > 0.2)
+      return; // there the near view looks
+    const double share = at.x() / 0.04 - std::floor(at.x() / 0.04);
+    if (std::abs(share - 0.5) > 0.3)
+      return;
+    off += std::abs(color[0] - striped[0].color(at)[0]);
+    ++count;
+  });
+  EXPECT_GT(count, 1000);
+  EXPECT_LT(off / count, 15); // the mean of the far views is grey, 90 off
+}
+
+/** Points on the wall, of two stations in turn, the second of which saw everything darker. */
+PCLPointCloud2::Ptr
+twoStations(bool are_named)
+{
+  PointCloud<PointXYZRGBNormalView> points;
+  for (int i = 0; i < 280; ++i)
+    for (int j = 0; j < 200; ++j) {
+      PointXYZRGBNormalView point;
+      const int station = (7 * i + 5 * j) % 11 < 5 ? 1 : 0;
+      point.x = 0.01F * static_cast<float>(i) - 1.4F;
+      point.y = 0.01F * static_cast<float>(j) - 1;
+      point.z = 3;
+      point.r = point.g = point.b = station == 1 ? 120 : 200;
+      point.view = station;
+      points.push_back(point);
+    }
+  const PCLPointCloud2::Ptr cloud(new PCLPointCloud2);
+  toPCLPointCloud2(points, *cloud);
+  if (!are_named)
+    for (PCLPointField& field : cloud->fields)
+      if (field.name == "view")
+        field.name = "other";
+  return cloud;
+}
+
+/** Mean step between neighbouring texels. */
+double
+stepsOf(const CompactMap& map)
+{
+  double sum = 0, count = 0;
+  for (const TextureChart& chart : map.charts)
+    for (int row = 0; row < chart.colors.height; ++row)
+      for (int column = 0; column + 1 < chart.colors.width; ++column)
+        if (kindOf(chart, column, row) == TexelKind::Seen &&
+            kindOf(chart, column + 1, row) == TexelKind::Seen) {
+          sum += std::abs(chart.colors.at(column, row)[0] -
+                          chart.colors.at(column + 1, row)[0]);
+          ++count;
+        }
+  EXPECT_GT(count, 1000);
+  return sum / count;
+}
+
+TEST(PlaneTexturing, BrightAndDarkPointsOfStationsDoNotAlternate)
+{
+  for (const bool are_named : {true, false}) {
+    Texturing texturing;
+    texturing.setTexelSize(0.01);
+    texturing.setPlanes({middleOfWall()});
+    texturing.addObservationLoader([&]() -> std::optional<TexturedObservation> {
+      return TexturedObservation{
+          twoStations(are_named), Eigen::Isometry3d::Identity(), 0, false};
+    });
+    CompactMap map;
+    texturing.texture(map);
+    const TexturingReport& report = texturing.getReport();
+    EXPECT_EQ(report.observations, 1U);
+    ASSERT_EQ(report.gains.size(), are_named ? 2U : 1U);
+    if (are_named) {
+      EXPECT_NEAR(report.gains[1] / report.gains[0], 200.0 / 120, 0.05);
+    }
+    EXPECT_GT(report.seen, report.texels * 99 / 100);
+    EXPECT_LT(stepsOf(map), are_named ? 1 : 10); // of the points it is 40
+  }
 }
 
 } // namespace

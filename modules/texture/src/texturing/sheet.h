@@ -15,6 +15,13 @@ public:
    * \param[in] maximum texels per side of a canvas */
   Sheet(const std::vector<Canvas>& canvases, std::size_t first, int maximum);
 
+  /** Number of its first canvas. */
+  std::size_t
+  begin() const
+  {
+    return first_;
+  }
+
   /** Number of the canvas after its last one. */
   std::size_t
   end() const

@@ -51,7 +51,7 @@ affordable(const std::vector<PlanePatch>& planes,
            const std::vector<CylinderPatch>& cylinders,
            double wanted)
 {
-  constexpr double max_texels = 3 << 22; // three quarters of a page
+  constexpr double max_texels = 1 << 23; // half a page
   constexpr double coarsest = 0.3;       // metres
   return boundedTexelSize(
       planes, cylinders, wanted, max_texels, std::max(16.0, coarsest / wanted));

@@ -2,6 +2,7 @@
 #include "texturing/intensity_greys.h"
 #include "texturing/sheet.h"
 #include "texturing/texel_size.h"
+#include "texturing/view_alignment.h"
 #include "texturing/view_selection.h"
 
 #include <pcl/core/exceptions.h>
@@ -118,6 +119,7 @@ struct TextureBuilder::State {
   std::vector<Canvas> canvases;
   IntensityGreys greys;
   Counts counts;
+  std::vector<Eigen::Vector3d> eyes; ///< of each view, metres in the frame of the map
   std::size_t first_joined = 0; ///< number of the first view of what is being joined
   std::size_t left_out = 0;
 };
@@ -162,8 +164,9 @@ texturingMemory(const std::vector<PlanePatch>& planes,
 {
   constexpr std::size_t finished = 4; // bytes of colour and kind
   const bool is_in_files = ScratchMemory::getResidentInEffect() > 0;
+  constexpr std::size_t of_images = 16; // of the alignment, and a copy of the samples
   const std::size_t of_work =
-      settings.paper ? sizeof(PointColors) : sizeof(Canvas::Samples);
+      settings.paper ? sizeof(PointColors) : 2 * sizeof(Canvas::Samples) + of_images;
   const std::size_t in_work = is_in_files ? 0 : of_work + sizeof(TexelPlace);
   const double automatic =
       settings.paper ? paper_texel_size : finestTexelSize(planes, cylinders);
@@ -192,6 +195,7 @@ TextureBuilder::add(const ColoredView& given)
   const Stations stations = view.has_eye ? Stations() : Stations(view);
   ++state.counts.observations;
   state.counts.views += stations.count();
+  state.eyes.resize(state.counts.views, view.T_map_camera.translation());
   std::size_t finite = 0;
   for (std::size_t i = 0; i < view.points.size(); ++i)
     finite += view.points[i].allFinite() ? 1 : 0;
@@ -266,7 +270,9 @@ TextureBuilder::join(ByteParcel& parcel, Trajectory& trajectory)
     for (auto left = parcel.take<std::size_t>(); left > 0; --left) {
       trajectory.stamps.push_back(parcel.take<double>());
       parcel.takeAll(trajectory.poses.emplace_back().matrix().data(), 16);
+      state.eyes.push_back(trajectory.poses.back().translation());
     }
+    state.eyes.resize(state.counts.views, Eigen::Vector3d::Zero());
     return;
   }
   const auto c = parcel.take<std::size_t>();
@@ -380,6 +386,19 @@ remark(std::size_t left_out, double texel_size, TexturingReport& report)
 
 } // namespace
 
+/** Brings what the views show onto each other, as far as their poses are not exact. */
+void
+TextureBuilder::alignViews(const std::vector<double>& gains) const
+{
+  State& state = *state_;
+  const std::vector<Sheet> sheets =
+      sheetsOf(state.canvases, state.settings.maximum_texture_size);
+  const std::vector<Eigen::Isometry3d> moves =
+      alignedMoves(state.canvases, sheets, state.eyes, gains);
+  if (!moves.empty())
+    moveSamples(moves, state.eyes, sheets, state.canvases);
+}
+
 /** Paints each region with one of the images, where there are any. */
 void
 TextureBuilder::showViews(const std::vector<double>& gains,
@@ -428,6 +447,12 @@ TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
                        ? exposureGains(state.canvases, state.counts.views)
                        : std::vector<double>(state.counts.views, 1.0);
     timer.finish("exposure");
+
+    if (!is_paper && state.counts.pinholes > 1) {
+      progress.tell(0.2, "alignment");
+      alignViews(report.gains);
+      timer.finish("alignment");
+    }
 
     progress.tell(0.3, "blending");
     CompactMap map;

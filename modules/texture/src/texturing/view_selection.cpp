@@ -95,7 +95,7 @@ TileViews::measure(std::int32_t tile_column,
                    std::int32_t tile_row,
                    const std::vector<TexturePicture*>& means)
 {
-  constexpr double of_missing = 24, of_octave = 1.5, of_blur = 4; // levels a texel
+  constexpr double of_missing = 24, of_octave = 1.5, of_blur = 2; // levels a texel
   constexpr double free_deviation = 6, of_deviation = 2, max_deviation = 60;
   constexpr double plain = 1.5; // levels: such steps are noise
   std::map<std::int32_t, Shown> shown;

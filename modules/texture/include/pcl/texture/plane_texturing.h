@@ -25,10 +25,12 @@ namespace pcl {
  * projected into this image instead: a texel is visible where the depth measured
  * around its pixel belongs to its plane, and colours next to depth edges get little
  * weight. For each texel the four best samples are kept (near, frontal, far from the
- * image border). The samples are brought to a common exposure with one gain per view,
- * and those that agree with their median are averaged. Holes are filled from their
- * borders over a few texels; the remaining texels stay unknown (\ref TexelKind).
- * \ref setPaperMode leaves only the points.
+ * image border). The samples are brought to a common exposure with one gain per view. Where
+ * images show the same places differently, because their poses are not exact, their samples
+ * are moved onto each other. Each region shows one image, chosen by minimum cuts, whose mean
+ * over some decimetres is that of all. Of other clouds, a texel has the robust middle of the
+ * points that are nearest to it. Holes are filled from their borders over 10 cm; the remaining
+ * texels stay unknown (\ref TexelKind). \ref setPaperMode leaves only the points.
  *
  * Clouds without colour are painted with their field `intensity` as grey, if they have
  * one; the first of them decides the scale.
@@ -142,10 +144,11 @@ public:
     return settings_.paper;
   }
 
-  /** \brief Sets the edge length of a texel (default 0: automatic, 0.02 m, but not finer than
-   * half the spacing of points that are not in an image, acmap::automaticTexelSize; in paper
-   * mode 0.02 m). Up to sixteen times as large ones are taken, with a remark, where the charts would have more than 50
-   * million, which the pages of a map hold.
+  /** \brief Sets the edge length of a texel (default 0: automatic, a pixel of the first
+   * observation on what is near, or half the spacing of points that are in no image, at least
+   * 3 mm, acmap::automaticTexelSize; in paper mode 0.02 m). Up to sixteen times as large ones are
+   * taken, with a remark, where the charts would have more than 50 million, which the pages of a
+   * map hold; automatic ones are at most 8 million.
    * \throws BadArgumentException unless within [1e-4, 10] m, or 0 */
   void
   setTexelSize(double metres);
@@ -179,9 +182,9 @@ public:
     return settings_.maximum_texture_size;
   }
 
-  /** \brief Sets how far holes are filled from their borders (default 5 texels; 0, and
-   * in paper mode: only the texels next to the polygon that interpolation needs).
-   * \throws BadArgumentException unless within [0, 1000] */
+  /** \brief Sets how far holes are filled from their borders (default -1: automatic, 0.1 m, at
+   * least 5 texels; 0, and in paper mode: only the texels next to the polygon that
+   * interpolation needs). \throws BadArgumentException unless within [-1, 1000] */
   void
   setFillDistance(int texels);
 

@@ -26,11 +26,13 @@ struct TexturingReport : Report {
   std::size_t colored_points = 0; ///< with a plane within the maximum distance
   std::size_t far_points = 0;     ///< finite, but without such a plane
   std::size_t charts = 0;
-  std::size_t texels = 0;    ///< inside the polygons
-  std::size_t seen = 0;      ///< of these, coloured by observations
-  std::size_t filled = 0;    ///< of these, filled from their neighbours
-  double texel_size = 0;     ///< metres
-  std::vector<double> gains; ///< factor applied to the colours of each observation
+  std::size_t texels = 0; ///< inside the polygons
+  std::size_t seen = 0;   ///< of these, coloured by observations
+  std::size_t filled = 0; ///< of these, filled from their neighbours
+  double texel_size = 0;  ///< metres
+  std::vector<double>
+      gains; ///< factor applied to the colours of each observation, or of
+             ///< each station of a merged cloud
 };
 
 /** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */

@@ -86,8 +86,8 @@ viewOfObservation(const TexturedObservation& observation);
  * within 3 and 30 mm: each texel gets the colour of a pixel, however far apart the points are that
  * have a depth. Of other points, it is half their spacing, that of the points from which the planes
  * were fitted, on the average of all planes, and at least 3 mm: of finer ones, most would get no
- * colour. It is larger where the charts would have more than 12 million texels, three quarters of
- * a page of 4096 x 4096.
+ * colour. It is larger where the charts would have more than 8 million texels, half a page
+ * of 4096 x 4096.
  * \param[in] view the first one that colours them */
 ACMAP_EXPORT double
 automaticTexelSize(const std::vector<PlanePatch>& planes,
@@ -130,7 +130,7 @@ public:
   void
   join(ByteParcel& parcel, Trajectory& trajectory);
 
-  /** \brief Corrects the exposure, blends the samples and fills holes. Sets the planes and
+  /** \brief Corrects the exposure, aligns the views, chooses one for each region and fills holes. Sets the planes and
    * cylinders of the map with their pictures, and the observations that saw each plane. */
   CompactMap
   finish(const Progress& progress, TexturingReport& report) const;
@@ -141,6 +141,9 @@ private:
   /** \brief Makes the canvases, whose texels may have the size for a first view. */
   void
   prepare(double automatic_texel_size) const;
+
+  void
+  alignViews(const std::vector<double>& gains) const;
 
   void
   showViews(const std::vector<double>& gains,

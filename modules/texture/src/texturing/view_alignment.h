@@ -1,0 +1,33 @@
+#pragma once
+
+#include "texturing/sheet.h"
+
+#include <Eigen/Geometry>
+
+#include <vector>
+
+namespace pcl::acmap::texturing {
+
+/** Moves that bring what the views show of the planes onto each other: one rigid motion of each
+ * camera, in the frame of the map. It finds them in the samples of the texels, and needs no image
+ * again: from coarse to fine, each camera is moved such that its samples agree with the mean of
+ * the others (Gauss-Newton on brightness, robust).
+ * \param[in] sheets of planes and cylinders
+ * \param[in] eyes position of each camera, metres in the frame of the map
+ * \param[in] gains of the views
+ * \return of each view; nothing if the samples do not agree clearly better then */
+std::vector<Eigen::Isometry3d>
+alignedMoves(const std::vector<Canvas>& canvases,
+             const std::vector<Sheet>& sheets,
+             const std::vector<Eigen::Vector3d>& eyes,
+             const std::vector<double>& gains);
+
+/** Moves the samples of all planes on their texels, as if the cameras had been moved. Samples of
+ * texels that a view has not seen any more are lost. */
+void
+moveSamples(const std::vector<Eigen::Isometry3d>& moves,
+            const std::vector<Eigen::Vector3d>& eyes,
+            const std::vector<Sheet>& sheets,
+            std::vector<Canvas>& canvases);
+
+} // namespace pcl::acmap::texturing
