@@ -8,9 +8,12 @@ import {uncertainty} from './uncertainty.js';
 const largest_angle = 5; // degrees between planes that count as parallel
 const steps = 64;        // of the grid over the overlap
 
-function lengthText(length, first, second) {
-  const sigma = uncertainty(first, second);
-  return `${length.toFixed(3)} m${sigma === null ? '' : ` ± ${(1000 * sigma).toFixed(1)} mm`}`;
+// "3.412 m ± 4.2 mm", of two standard deviations.
+function lengthText(length, first, second, ends) {
+  const known = uncertainty(first, second, ends);
+  if (!known)
+    return `${length.toFixed(3)} m`;
+  return `${length.toFixed(3)} m ± ${known.at_least ? 'at least ' : ''}${(2000 * known.sigma).toFixed(1)} mm`;
 }
 
 // {ends, length, text, more}
@@ -18,7 +21,8 @@ export function betweenPoints(first, second) {
   const difference = second.point.clone().sub(first.point);
   const length = difference.length();
   const level = Math.hypot(difference.x, difference.z), upright = Math.abs(difference.y);
-  return {ends: [first.point, second.point], length, text: lengthText(length, first, second),
+  const ends = [first.point, second.point];
+  return {ends, length, text: lengthText(length, first, second, ends),
           more: upright < 0.0005 ? 'level' : level < 0.0005 ? 'upright'
             : `level ${level.toFixed(3)} m, upright ${upright.toFixed(3)} m`};
 }
@@ -62,6 +66,6 @@ export function betweenPlanes(first, second) {
   });
   const length = ends[0].distanceTo(ends[1]);
   const parallel = angle < 0.05 ? 'parallel' : `${angle.toFixed(1)}° off parallel`;
-  return {ends, length, text: lengthText(length, first, second),
+  return {ends, length, text: lengthText(length, first, second, ends),
           more: overlaps ? `${parallel}, at the middle of their overlap` : `${parallel}, they do not overlap`};
 }

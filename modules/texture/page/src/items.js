@@ -6,6 +6,7 @@ import {Vector3} from 'three';
 import {capital, countText, millimetres, namesOfPlanes, openingText, recessText, sizeOfPlane, sizeText,
         squareMetres} from './names.js';
 import {simplified} from './polygons.js';
+import {errorsOf} from './uncertainty.js';
 
 const digits = (values, count) => values.map(x => Number(x).toFixed(count)).join(', ');
 
@@ -45,7 +46,8 @@ function planeItem(map, id, named, frame) {
           openings: [...(map.openings ?? []).filter(opening => opening.planes.includes(id)).map(opening => openingText(opening)),
                      ...(map.recesses ?? []).filter(recess => recess.wall === id).map(recessText)],
           rows: [...rows, ...bitRows(plane)], area: plane.area,
-          place: middleOf(loops), normal: frame.direction([a, b, c])};
+          place: middleOf(loops), normal: frame.direction([a, b, c]),
+          errors: errorsOf(plane, frame)};
 }
 
 // The arc at the lower end, and back along the upper one.
