@@ -127,6 +127,13 @@ tellChain(const ChainOptions& options,
       picturesIn(options.output, map.value("tilt_deg", 0.0), options.planes.paper);
   log.tellSeconds();
   log.tell("folder", options.output);
+  if (!log.contradiction.empty())
+    return;
+  std::error_code error;
+  for (const char* page : {"map.html", "report.html"})
+    if (const fs::path path = fs::path(options.output) / page;
+        std::string_view(page) == "report.html" || fs::exists(path, error))
+      log.tell("open", path.string());
 }
 
 } // namespace pcl::acmap
