@@ -114,7 +114,8 @@ TEST(CompactMapping, TheFloorPlanNeedsNoXServer)
   const std::string pictures_of_map = corridor().map + "/pictures/";
   EXPECT_EQ(contentOf(pictures_of_map + "floor_plan.png").substr(0, 4), "\x89PNG");
   EXPECT_FALSE(fs::exists(pictures_of_map + "outside.png"));
-  EXPECT_THAT(contentOf(corridor().map + "/report.html"), HasSubstr("Floor plan: walls"));
+  EXPECT_THAT(contentOf(corridor().map + "/report.html"),
+              HasSubstr("Floor plan: walls"));
 }
 
 TEST(CompactMapping, AnXServerThatEndsCostsThePicturesOnly)

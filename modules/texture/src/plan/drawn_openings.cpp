@@ -127,10 +127,11 @@ drawnOpeningsOf(const FloorPlan& plan,
     if (other->face.rooms[1] < 0)
       other->face.rooms[1] = opening.rooms[0];
   }
+  constexpr double thinnest = 0.03; // of a wall, metres
   for (DrawnOpening& opening : openings) {
     if (!opening.is_measured) {
       opening.depth = depthBeside(opening.face, bodies);
-      opening.is_measured = opening.depth > 0;
+      opening.is_measured = opening.depth > thinnest;
       if (!opening.is_measured)
         opening.depth = std::max(strip, depthOfReveals(opening.face, plan));
     }

@@ -117,7 +117,8 @@ private:
       places_.block(body.corners);
     }
     for (const WallBody& body : bodies_)
-      drawing_.addLine(PlanLayer::Walls, body.corners[0], body.corners[1], face_pen);
+      if (body.has_face)
+        drawing_.addLine(PlanLayer::Walls, body.corners[0], body.corners[1], face_pen);
     for (const PlanColumn& column : plan_.columns)
       addColumn(column);
     const std::vector<Loop> unseen = unseenBordersOf(plan_);

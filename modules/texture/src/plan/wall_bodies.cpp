@@ -191,6 +191,15 @@ join(Body& one, Body& next)
     last.corners[2] = *last_back;
   if (first_back && isNear(*first_back, *front, limit))
     first.corners[3] = *first_back;
+  if (last_abuts || first_abuts) {
+    const Vector2d &end = last.corners[2], &begin = first.corners[3];
+    // before the end of the wall, between the strips on both sides of it
+    one.quads.push_back(
+        {{*front, last_abuts ? end : begin, last_abuts ? begin : end, *front},
+         one.face.wall,
+         false,
+         false});
+  }
 }
 
 /** \brief The face that begins where another one ends, if there is one. */

@@ -17,6 +17,7 @@ struct WallBody {
   std::array<Eigen::Vector2d, 4> corners;
   std::size_t wall = 0;     ///< index of the face in the plan
   bool is_measured = false; ///< its back is a face that was seen, too
+  bool has_face = true;     ///< else it only fills a corner
 };
 
 /** \brief Fills walls from each face to the nearest one that faces away from it, up to 0.6 m
