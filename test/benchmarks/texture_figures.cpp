@@ -150,6 +150,7 @@ paint(const std::vector<double>& exposures)
   const SimulatedScene& scene = corridor().scene();
   const Trajectory& trajectory = corridor().whole().merged.trajectory;
   constexpr double texel_size = 0.02;
+  constexpr int fill_distance = 5;
   const TexturingSettings settings;
   Painted painted;
   std::size_t left_out = 0;
@@ -181,7 +182,7 @@ paint(const std::vector<double>& exposures)
         for (const texturing::Canvas& canvas : painted.canvases) {
           TextureChart& chart = painted.map.charts.emplace_back(canvas.chart);
           texturing::blend(painted.gains, canvas, chart);
-          texturing::fillHoles(settings.fill_distance, canvas.mask, chart);
+          texturing::fillHoles(fill_distance, canvas.mask, chart);
         }
       }).cpu;
   painted.map.planes = planes;

@@ -88,8 +88,8 @@ struct PlaneTexturingTraits : CommonTraits<PlaneTexturing<PointXYZRGB>> {
            {"texture size", "[16, 65500]", "texels"});
     refuse(calls,
            &Class::setFillDistance,
-           counts,
-           {"fill distance", "[0, 1000]", "texels"});
+           std::vector<int>{-2, 70000},
+           {"fill distance", "[-1, 1000]", "texels"});
     return calls;
   }
 

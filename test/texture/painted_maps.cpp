@@ -67,13 +67,13 @@ countOf(const CompactMap& map, TexelKind kind)
   return count;
 }
 
-std::size_t
-expectSquares(const CompactMap& map, double max_off)
+ComparedSquares
+compareSquares(const CompactMap& map, double max_off)
 {
   const auto isInside = [](double along) {
     return std::abs(along / square - std::floor(along / square) - 0.5) < 0.2;
   };
-  std::size_t compared = 0, wrong = 0;
+  ComparedSquares result;
   forTexels(
       map,
       TexelKind::Seen,
@@ -82,12 +82,19 @@ expectSquares(const CompactMap& map, double max_off)
         if (!isInside(place.x()) || !isInside(is_wall ? place.y() : place.z()))
           return;
         const Rgb truth = is_wall ? wallColor(place) : floorColor(place);
-        ++compared;
+        ++result.texels;
         for (std::size_t k = 0; k < 3; ++k)
-          wrong += std::abs(color[k] - truth[k]) > max_off ? 1 : 0;
+          result.wrong += std::abs(color[k] - truth[k]) > max_off ? 1 : 0;
       });
-  EXPECT_EQ(wrong, 0u) << "of " << compared;
-  return compared;
+  return result;
+}
+
+std::size_t
+expectSquares(const CompactMap& map, double max_off)
+{
+  const ComparedSquares compared = compareSquares(map, max_off);
+  EXPECT_EQ(compared.wrong, 0u) << "of " << compared.texels;
+  return compared.texels;
 }
 
 void

@@ -36,6 +36,15 @@ forTexels(const CompactMap& map,
                                    const std::uint8_t* color,
                                    const Eigen::Vector3d& place)>& call);
 
+/** \brief Texels that are at least 3 cm inside their square on wall (plane 0) or floor (1). */
+struct ComparedSquares {
+  std::size_t texels = 0;
+  std::size_t wrong = 0; ///< of their channels, those that are off by more
+};
+
+ComparedSquares
+compareSquares(const CompactMap& map, double max_off);
+
 /** \brief Checks the colours of the squares on wall (plane 0) and floor (1) for texels
  * that are at least 3 cm inside their square. \return number of compared texels */
 std::size_t

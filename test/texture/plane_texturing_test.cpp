@@ -1,6 +1,7 @@
 #include "painted_maps.h"
 
 #include <pcl/conversions.h>
+#include <pcl/core/point_types.h>
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include <pcl/texture/impl/plane_texturing.hpp>
 #endif
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl::acmap::test {
@@ -78,6 +80,7 @@ TEST(PlaneTexturing, IntensityIsGreyWhereThereIsNoColour)
       cloud->push_back(point);
     }
   PlaneTexturing<PointXYZI> own;
+  own.setTexelSize(0.02);
   own.setPlanes(planesOfWallAndFloor());
   own.addObservation(cloud);
   CompactMap map;
@@ -87,15 +90,15 @@ TEST(PlaneTexturing, IntensityIsGreyWhereThereIsNoColour)
   forTexels(map,
             TexelKind::Seen,
             [&](const TextureChart&, const std::uint8_t* color, const auto& place) {
-              const double level =
-                  std::min(255.0, 230 * (place.x() + 1.39) / (0.99 * 2.78));
-              EXPECT_NEAR(color[0], level, 3);
+              const double level = 230 * (place.x() + 1.39) / (0.99 * 2.78);
+              EXPECT_NEAR(color[0], std::clamp(level, 0.0, 230.0), 6);
               EXPECT_EQ(color[0], color[2]);
             });
 
   const PCLPointCloud2::Ptr file(new PCLPointCloud2);
   toPCLPointCloud2(*cloud, *file);
   PlaneTexturing<PointXYZRGB> loaded;
+  loaded.setTexelSize(0.02);
   loaded.setPlanes(planesOfWallAndFloor());
   loaded.addObservationLoader([&]() -> std::optional<TexturedObservation> {
     return TexturedObservation{file, Eigen::Isometry3d::Identity(), 0, false};

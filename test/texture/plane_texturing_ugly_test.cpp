@@ -24,6 +24,15 @@ remarkOf(const TexturingReport& report)
   return report.remarks.empty() ? "" : report.remarks.front();
 }
 
+/** Where the floor is grazed, the nearest points are of several squares. */
+void
+expectSquaresOfPoints(const CompactMap& map)
+{
+  const ComparedSquares compared = compareSquares(map, 0);
+  EXPECT_GT(compared.texels, 1000u);
+  EXPECT_LT(compared.wrong, 3 * compared.texels / 10); // of the channels
+}
+
 TEST(PlaneTexturingUgly, PointsAloneColourTheTexelsTheyAreIn)
 {
   const View cloud = scattered(lookAt(wallAndFloor()));
@@ -33,10 +42,10 @@ TEST(PlaneTexturingUgly, PointsAloneColourTheTexelsTheyAreIn)
   texturing.texture(map);
   EXPECT_EQ(texturing.getReport().splatted, 1u);
   EXPECT_EQ(texturing.getReport().pinholes, 0u);
-  EXPECT_GT(expectSquares(map, 0), 1000u);
+  expectSquaresOfPoints(map);
 }
 
-TEST(PlaneTexturingUgly, SeveralPointsOfATexelGiveTheirMean)
+TEST(PlaneTexturingUgly, FewPointsGiveTheirMeanToTheTexelsAroundThem)
 {
   View cloud;
   cloud.cloud.reset(new PointCloud<PointXYZRGB>);
@@ -46,13 +55,13 @@ TEST(PlaneTexturingUgly, SeveralPointsOfATexelGiveTheirMean)
   Texturing texturing = texturingOf(planesOfWallAndFloor(), {cloud});
   texturing.setFillDistance(0);
   const CompactMap map = painted(texturing);
-  ASSERT_EQ(countOf(map, TexelKind::Seen), 1u);
+  ASSERT_EQ(countOf(map, TexelKind::Seen), 25u);
   forTexels(
       map, TexelKind::Seen, [](const auto&, const auto* color, const auto& place) {
         EXPECT_EQ(color[0], 16);
         EXPECT_EQ(color[1], 102);
         EXPECT_EQ(color[2], 100);
-        EXPECT_LT((place - Eigen::Vector3d(0.01, 0.01, 3)).norm(), 1e-6);
+        EXPECT_LT((place - Eigen::Vector3d(0.01, 0.01, 3)).norm(), 0.06);
       });
   texturing.setMaximumDistance(0.5);
   forTexels(
@@ -90,8 +99,7 @@ TEST(PlaneTexturingUgly, LoadersMayLeaveObservationsOut)
       return TexturedObservation{cloud, view.T_map_camera, 7, has_sensor};
     };
   };
-  Texturing texturing;
-  texturing.setPlanes(planesOfWallAndFloor());
+  Texturing texturing = texturingOf(planesOfWallAndFloor(), {});
   EXPECT_THROW(texturing.addObservationLoader({}), BadArgumentException);
   texturing.addObservationLoader([] { return std::optional<TexturedObservation>(); });
   texturing.addObservationLoader(load(true));
@@ -265,16 +273,16 @@ TEST(PlaneTexturingUgly, RowsThatDoNotFitAreRefusedAndALineIsNoImage)
   CompactMap map;
   texturing.texture(map);
   EXPECT_EQ(texturing.getReport().splatted, 1u);
-  EXPECT_GT(expectSquares(map, 0), 1000u);
+  expectSquaresOfPoints(map);
 }
 
-TEST(PlaneTexturingUgly, OnePixelIsATexel)
+TEST(PlaneTexturingUgly, OnePixelColoursTheTexelsAroundIt)
 {
   View view;
   view.cloud.reset(
       new PointCloud<PointXYZRGB>(1, 1, PointXYZRGB(0.01F, 0.01F, 3, 1, 2, 3)));
   const TexturingReport report = reportOf(texturingOf(planesOfWallAndFloor(), {view}));
-  EXPECT_EQ(report.seen, 1u);
+  EXPECT_EQ(report.seen, 25u);
 }
 
 TEST(PlaneTexturingUgly, TexelsAreEnlargedWhereThereWouldBeTooMany)

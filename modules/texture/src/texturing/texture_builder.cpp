@@ -448,7 +448,7 @@ TextureBuilder::finish(const Progress& progress, TexturingReport& report) const
                        : std::vector<double>(state.counts.views, 1.0);
     timer.finish("exposure");
 
-    if (!is_paper && state.counts.pinholes > 1) {
+    if (!is_paper && state.counts.pinholes > 1 && state.counts.splatted == 0) {
       progress.tell(0.2, "alignment");
       alignViews(report.gains);
       timer.finish("alignment");
