@@ -124,7 +124,7 @@ TEST(MapPageInABrowser, IsUsedByAPerson)
   saveCompactMap(folder.path("bare"), bare);
   saveMapPage(folder.path("bare.html"), folder.path("bare"));
   RunSettings settings;
-  settings.time_limit = 400;
+  settings.time_limit = 900;
   const ToolRun run =
       runTool(node, {ACMAP_PAGE_CHECK, chromium, folder.path("")}, settings);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;

@@ -9,6 +9,7 @@ const near = 0.002; // metres: more than floats far from the middle of the map e
 
 class PlaneShape {
   constructor(id, plane, frame) {
+    this.kind = 'plane';
     this.id = id;
     this.normal = frame.direction(plane.coefficients);
     this.axes = axesOf(this.normal);
@@ -27,22 +28,24 @@ class PlaneShape {
     return x > left - near && x < right + near && y > bottom - near && y < top + near;
   }
 
-  covers(middle) {
-    return isWithin(this.loops, [middle.dot(this.axes[0]), middle.dot(this.axes[1])]);
+  covers(middle, normal) {
+    return this.holds(middle, normal) && isWithin(this.loops, [middle.dot(this.axes[0]), middle.dot(this.axes[1])]);
   }
 }
 
 class CylinderShape {
   constructor(id, cylinder, frame) {
+    this.kind = 'cylinder';
     this.id = id;
     this.point = frame.place(cylinder.axis_point);
     this.direction = frame.direction(cylinder.axis_direction);
     this.radius = cylinder.radius;
     this.extent = cylinder.extent;
+    this.offset = new Vector3();
   }
 
-  holds(middle) {
-    const offset = middle.clone().sub(this.point);
+  covers(middle) {
+    const offset = this.offset.subVectors(middle, this.point);
     const along = offset.dot(this.direction);
     const radius = offset.addScaledVector(this.direction, -along).length();
     const slack = 0.01 + 0.1 * this.radius; // facets are inside of the arc
@@ -58,18 +61,16 @@ export class Belonging {
     this.last = null;
   }
 
-  // {kind: 'plane' or 'cylinder', id} of a triangle, or null
+  // The shape that a triangle belongs to, which has a kind, 'plane' or 'cylinder', and an id; or null
   of(a, b, c) {
     const normal = new Vector3().subVectors(b, a).cross(new Vector3().subVectors(c, a)).normalize();
     const middle = new Vector3().add(a).add(b).add(c).divideScalar(3);
     // triangles of one surface follow each other
-    if (!this.last?.holds(middle, normal) || !this.last.covers(middle)) {
+    if (!this.last?.covers(middle, normal)) {
       const candidates = this.planes.filter(plane => plane.holds(middle, normal));
-      this.last = candidates.find(plane => plane.covers(middle)) ?? candidates[0] ?? null;
+      this.last = candidates.find(plane => plane.covers(middle, normal)) ?? candidates[0] ??
+        this.cylinders.find(shape => shape.covers(middle)) ?? null;
     }
-    if (this.last)
-      return {kind: 'plane', id: this.last.id};
-    const cylinder = this.cylinders.find(shape => shape.holds(middle));
-    return cylinder ? {kind: 'cylinder', id: cylinder.id} : null;
+    return this.last;
   }
 }

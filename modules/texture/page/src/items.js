@@ -54,7 +54,7 @@ function planeItem(map, id, named, frame) {
 function cylinderLoop(cylinder, frame) {
   const axis = frame.direction(cylinder.axis_direction), point = frame.place(cylinder.axis_point);
   const [u, v] = cylinder.axes.map(array => frame.direction(array));
-  const steps = 32;
+  const steps = 16;
   const arcAt = along => Array.from({length: steps + 1}, (_, i) => {
     const angle = cylinder.arc * (i / steps - 0.5);
     return point.clone().addScaledVector(axis, along)

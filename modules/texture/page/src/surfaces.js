@@ -7,15 +7,22 @@ import {textureMaterial, unseenMaterial} from './colours.js';
 import {KindPlaces, picturesOf} from './kinds.js';
 import {numberIn} from './textures.js';
 
-// The triangles of a part of map.glb: callback (three places in the scene, texture coordinates).
+// The triangles of a part of map.glb: callback (three places in the scene, texture coordinates),
+// which are others at the next call.
 function eachTriangle(geometry, to_scene, callback) {
+  geometry.applyMatrix4(to_scene);
   const {position, uv} = geometry.attributes;
   const index = geometry.index;
   const count = index ? index.count : position.count;
+  const places = [new Vector3(), new Vector3(), new Vector3()], coordinates = [0, 0, 0, 0, 0, 0];
   for (let i = 0; i + 2 < count; i += 3) {
-    const corners = [0, 1, 2].map(k => index ? index.getX(i + k) : i + k);
-    const places = corners.map(k => new Vector3().fromBufferAttribute(position, k).applyMatrix4(to_scene));
-    callback(places, uv ? corners.flatMap(k => [uv.getX(k), uv.getY(k)]) : [0, 0, 0, 0, 0, 0]);
+    for (let k = 0; k < 3; ++k) {
+      const corner = index ? index.getX(i + k) : i + k;
+      places[k].fromBufferAttribute(position, corner);
+      if (uv)
+        [coordinates[2 * k], coordinates[2 * k + 1]] = [uv.getX(corner), uv.getY(corner)];
+    }
+    callback(places, coordinates);
   }
 }
 
