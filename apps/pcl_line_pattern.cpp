@@ -220,9 +220,9 @@ main(int argc, char** argv)
             "Makes patterns of random lines for a projector, and shows them.");
   PatternOptions options;
   addOptions(tool, options);
-  tool.setHelp(
-      {{{"pcl_line_pattern pattern.png", "One pattern as an image."},
-        {"pcl_line_pattern patterns --show", "Makes ten patterns, and shows each full screen."}},
-       {}});
+  tool.setHelp({{{"pcl_line_pattern pattern.png", "One pattern as an image."},
+                 {"pcl_line_pattern patterns --show",
+                  "Makes ten patterns, and shows each full screen."}},
+                {}});
   return tool.run(argc, argv, [&] { run(tool, options); });
 }

@@ -96,8 +96,7 @@ columns(const char* count)
 TEST(Help, FitsTheColumnsThatThereAre)
 {
   for (const char* count : {"50", "80", "132"}) {
-    const ToolRun run =
-        runTool(mapping_tool, {"--help", "all"}, columns(count));
+    const ToolRun run = runTool(mapping_tool, {"--help", "all"}, columns(count));
     expectNarrow(run.out, std::stoul(count));
   }
   const ToolRun wild = runTool(mapping_tool, {"--help"}, columns("-7"));

@@ -6,7 +6,7 @@ set(document "share/doc/[a-z0-9.-]*acmap[a-z0-9.-]*/")
 set(library "lib[^ ]*/libacmap_[a-z]+\\.so")
 set(places_of_libraries "${document}|${library}\\.[0-9.]+$")
 set(places_of_dev "${document}|${library}$|include/acmap-|lib[^ ]*/cmake/acmap/|lib[^ ]*/pkgconfig/acmap_|share/acmap/package\\.xml")
-set(places_of_tools "${document}|bin/pcl_|share/acmap/|lib/udev/rules\\.d/")
+set(places_of_tools "${document}|bin/pcl_|share/acmap/|share/man/man1/pcl_|share/bash-completion/|lib/udev/rules\\.d/")
 set(places_of_python "${document}|lib/python3[^ ]*/(dist|site)-packages/acmap")
 
 # install_into_prefix (<result> [<option>...]): relative paths of the files added to the

@@ -248,11 +248,11 @@ TEST_F(LayersInAWindow, TheCardIsThatOfThePlaneUnderTheMouse)
   view_.look = Eigen::Vector3f(0, 0, 1);
   open();
   press('p', 160, 120);
-  EXPECT_EQ(told_.substr(0, 8), "plane 0\n");
+  EXPECT_EQ(told_.substr(0, 8), "Plane 0,");
   press('p', 160, 2);
-  EXPECT_EQ(told_.substr(0, 8), "plane 4\n") << "the floor is below";
+  EXPECT_EQ(told_.substr(0, 8), "Plane 4,") << "the floor is below";
   press('p', 160, 237);
-  EXPECT_EQ(told_.substr(0, 8), "plane 5\n");
+  EXPECT_EQ(told_.substr(0, 8), "Plane 5,");
   press('p', 288, 100);
   EXPECT_EQ(told_, "no plane there\n") << "the door";
 }
@@ -262,7 +262,7 @@ TEST_F(LayersInAWindow, AClickWithShiftGivesTheCardToo)
   open();
   interactor_->SetEventInformation(160, 100, 0, 1, 0);
   interactor_->InvokeEvent(vtkCommand::LeftButtonPressEvent);
-  EXPECT_EQ(told_.substr(0, 8), "plane 4\n") << "the ceiling is not there from above";
+  EXPECT_EQ(told_.substr(0, 8), "Plane 4,") << "the ceiling is not there from above";
 }
 
 TEST_F(LayersInAWindow, AreAddedToARendererOfOnesOwn)

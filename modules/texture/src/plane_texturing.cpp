@@ -16,8 +16,7 @@ viewOfObservation(const TexturedObservation& observation)
       field && observation.cloud.bytes() > 0)
     view.intensities = {
         observation.cloud.data() + field->offset, cloud.point_step, field->datatype};
-  if (const PCLPointField* const field =
-          findField(cloud, "view", PCLPointField::INT32);
+  if (const PCLPointField* const field = findField(cloud, "view", PCLPointField::INT32);
       field && observation.cloud.bytes() > 0)
     view.stations = {observation.cloud.data() + field->offset, cloud.point_step};
   const bool is_picture = observation.has_sensor && cloud.height > 1;

@@ -44,9 +44,10 @@ main(int argc, char** argv)
       "Draws the figures of the paper again, of a simulated session and its map.");
   FigureOptions options;
   addOptions(tool, options);
-  tool.setHelp({{{"acmap_paper_figures session map -o figures",
-                  "Figures of a simulated session and of the map that was made of it."}},
-                {}});
+  tool.setHelp(
+      {{{"acmap_paper_figures session map -o figures",
+         "Figures of a simulated session and of the map that was made of it."}},
+       {}});
   return tool.run(argc, argv, [&] {
     tool.requireReportWritable({options.figures});
     drawFigures(options, tool.controls(), tool.log());

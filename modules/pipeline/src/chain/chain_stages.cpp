@@ -337,7 +337,7 @@ runPlanes(ChainState& state,
     planes.setCostCallback(run.cost);
   planes.setProgressCallback(run.progress);
   planes.compute(state.planes);
-  if (state.observations)
+  if (state.observations && settings.mode != MappingMode::Paper)
     addPoseErrors(state.cloud.rows,
                   state.planes.labels,
                   errorModelOf(state, settings),
@@ -360,9 +360,8 @@ agreeOnTexelSize(const ObservationSequence& observations,
   for (std::size_t i = 0; i < observations.size() && !first; ++i)
     first = loadTextured(observations, i, skip_broken);
   if (first)
-    texturing.setTexelSize(automaticTexelSize(texturing.getPlanes(),
-                                              texturing.getCylinders(),
-                                              viewOfObservation(*first)));
+    texturing.setTexelSize(automaticTexelSize(
+        texturing.getPlanes(), texturing.getCylinders(), viewOfObservation(*first)));
 }
 
 /** II-C */

@@ -381,15 +381,21 @@ setModes(const std::vector<std::size_t>& numbers,
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(scale.asDiagonal() * covariance *
                                                        scale.asDiagonal());
   const Eigen::Index modes = std::min(max_modes, covariance.rows());
+  MatrixXd vectors = solver.eigenvectors().rightCols(modes);
+  for (Eigen::Index k = 0; k < modes; ++k) { // their signs are arbitrary
+    Eigen::Index largest = 0;
+    vectors.col(k).cwiseAbs().maxCoeff(&largest);
+    if (vectors(largest, k) < 0)
+      vectors.col(k) *= -1;
+  }
   for (std::size_t p = 0; p < numbers.size(); ++p) {
     PlanePatch& plane = planes[numbers[p]];
     const Eigen::Index at = 3 * static_cast<Eigen::Index>(p);
-    for (Eigen::Index k = 1; k <= modes; ++k) {
-      const Eigen::Index column = covariance.rows() - k; // the largest are the last
-      const double size = std::sqrt(std::max(solver.eigenvalues()[column], 0.0));
-      plane.pose_modes.emplace_back(
-          size * solver.eigenvectors().block<3, 1>(at, column).array() /
-          scale.segment<3>(at).array());
+    for (Eigen::Index k = modes - 1; k >= 0; --k) { // the largest are the last
+      const double value = solver.eigenvalues()[covariance.rows() - modes + k];
+      plane.pose_modes.emplace_back(std::sqrt(std::max(value, 0.0)) *
+                                    vectors.block<3, 1>(at, k).array() /
+                                    scale.segment<3>(at).array());
     }
     plane.covariance += covariance.block<3, 3>(at, at);
   }

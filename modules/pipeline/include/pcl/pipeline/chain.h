@@ -86,7 +86,7 @@ struct ChainState {
   Trajectory before; ///< poses before the rectification, level; empty without one
   ChainCloud cloud;  ///< merged, or the input; empty once planes are found
   MappedPlanes planes;
-  
+
   CompactMap map;
   std::shared_ptr<RankedWork> work; ///< of other ranks; or null
 
