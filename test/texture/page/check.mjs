@@ -42,7 +42,7 @@ async function rested(page) {
 
 // The picture of the map alone.
 async function withoutPanels(page) {
-  const set = value => page.value(`document.querySelectorAll('.panel, nav, #corner, #labels')
+  const set = value => page.value(`document.querySelectorAll('.panel, nav, #corner, #labels, #hint')
     .forEach(element => { element.style.visibility = '${value}'; })`);
   await set('hidden');
   const picture = await page.picture();

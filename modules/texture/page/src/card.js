@@ -4,6 +4,8 @@ import {LineMaterial} from 'three/addons/lines/LineMaterial.js';
 import {LineSegments2} from 'three/addons/lines/LineSegments2.js';
 import {LineSegmentsGeometry} from 'three/addons/lines/LineSegmentsGeometry.js';
 
+import {edgesOf} from './polygons.js';
+
 const byId = id => document.getElementById(id);
 
 // Thick lines between pairs of places, in front of everything.
@@ -46,7 +48,7 @@ export class Card {
       row.insertCell().textContent = key;
       row.insertCell().textContent = value;
     }
-    const places = item.loops.flatMap(loop => loop.flatMap((p, i) => [p, loop[(i + 1) % loop.length]]));
+    const places = edgesOf(item.loops);
     if (places.length > 0)
       this.scene.add(this.mark = thickLines(places, 0xf0a000, 3));
   }

@@ -11,7 +11,7 @@ function parsed(id, what) {
   }
 }
 
-export function bytesOfBase64(text) {
+function bytesOfBase64(text) {
   try {
     if (Uint8Array.fromBase64)
       return Uint8Array.fromBase64(text);

@@ -15,7 +15,7 @@ export function freeArea() {
 }
 
 // The axes of a camera that looks along a direction: right, up, back.
-export function cameraAxes(direction) {
+function cameraAxes(direction) {
   const back = direction.clone().negate().normalize();
   const right = new Vector3(0, 1, 0).cross(back);
   if (right.lengthSq() < 1e-9)

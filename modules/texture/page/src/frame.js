@@ -7,7 +7,7 @@ const up_in_scene = new Vector3(0, 1, 0);
 
 // The up direction in the frame of the map: as it says itself, else that of its cameras, else
 // the axis by which map.glb was turned.
-export function upOf(map, node_rotation) {
+function upOf(map, node_rotation) {
   const isGiven = up => Array.isArray(up) && Math.hypot(...up) > 0.5;
   for (const up of [map.up, map.assumed_up])
     if (isGiven(up))

@@ -38,7 +38,8 @@ export class Inside {
   floorBelow(place) {
     const ray = new Raycaster(place, down);
     ray.firstHitOnly = true;
-    return ray.intersectObjects(this.world.meshesOf(item => item.role === 'floor' && item.normal), false)[0]?.point.y ?? null;
+    const floors = this.world.meshesOf(item => item.role === 'floor' && item.normal);
+    return ray.intersectObjects(floors, false)[0]?.point.y ?? null;
   }
 
   // {at, direction} where a visit begins.

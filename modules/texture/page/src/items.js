@@ -22,7 +22,7 @@ function middleOf(loops) {
   return middle.divideScalar(Math.max(1, count));
 }
 
-export function loopsOf(polygons, frame) {
+function loopsOf(polygons, frame) {
   return polygons.flatMap(polygon => [polygon.outer, ...(polygon.holes ?? [])])
     .map(loop => loop.map(p => frame.place(p)));
 }
@@ -43,7 +43,8 @@ function planeItem(map, id, named, frame) {
           corners: loops.map(loop => simplified(loop, 0.01)),
           line: joined([squareMetres(plane.area), sizeText(sizeOfPlane(plane, frame)),
                         Number.isFinite(plane.rmse) && `noise ${millimetres(plane.rmse)}`]),
-          openings: [...(map.openings ?? []).filter(opening => opening.planes.includes(id)).map(opening => openingText(opening)),
+          openings: [...(map.openings ?? []).filter(opening => opening.planes.includes(id))
+                       .map(opening => openingText(opening)),
                      ...(map.recesses ?? []).filter(recess => recess.wall === id).map(recessText)],
           rows: [...rows, ...bitRows(plane)], area: plane.area,
           place: middleOf(loops), normal: frame.direction([a, b, c]),

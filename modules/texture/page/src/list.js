@@ -1,6 +1,6 @@
 // Rooms and surfaces as a list that can be searched.
 
-const squareMetres = area => area > 0 ? `${area.toFixed(1)} m²` : '';
+import {squareMetres} from './names.js';
 
 // [title, items] in the order in which they are listed.
 function groupsOf(items, fragments) {
@@ -39,7 +39,7 @@ export class List {
     button.dataset.item = `${item.kind}=${item.id}`;
     const name = document.createElement('span'), area = document.createElement('span');
     name.textContent = item.name;
-    area.textContent = squareMetres(item.area);
+    area.textContent = item.area > 0 ? squareMetres(item.area) : '';
     button.append(name, area);
     button.addEventListener('click', () => this.chosen(item));
     this.buttons.set(item, [...(this.buttons.get(item) ?? []), button]);

@@ -4,6 +4,7 @@ import {Mesh, MeshBasicMaterial, RingGeometry, SphereGeometry} from 'three';
 
 import {thickLines} from './card.js';
 import {betweenPlanes, betweenPoints} from './distances.js';
+import {edgesOf} from './polygons.js';
 import {Snapping} from './snapping.js';
 
 const byId = id => document.getElementById(id);
@@ -104,7 +105,7 @@ export class Measuring {
       this.drawn.push(object);
     };
     for (const {item} of this.between === 'planes' ? this.picks : [])
-      add(thickLines(item.loops.flatMap(loop => loop.flatMap((p, i) => [p, loop[(i + 1) % loop.length]])), colour, 2));
+      add(thickLines(edgesOf(item.loops), colour, 2));
     const ends = this.result?.ends ?? (this.between === 'points' ? this.picks.map(pick => pick.point) : []);
     this.dots = ends.map(point => {
       const dot = new Mesh(new RingGeometry(0.45, 1, 24), material());
@@ -156,7 +157,7 @@ const material = () =>
   new MeshBasicMaterial({color: colour, depthTest: false, transparent: true, toneMapped: false});
 
 // Metres that a pixel has at a place.
-export function sizeAt(place, view) {
+function sizeAt(place, view) {
   const {camera} = view;
   if (camera.isOrthographicCamera)
     return 1 / camera.zoom;

@@ -37,7 +37,7 @@ export function sizeOfPlane(plane, frame) {
 }
 
 // The numbers of the rooms that list a plane.
-export function roomsOf(map, id) {
+function roomsOf(map, id) {
   return (map.rooms ?? []).flatMap((room, number) => room.planes.includes(id) ? [number] : []);
 }
 

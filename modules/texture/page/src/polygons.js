@@ -12,6 +12,10 @@ export function axesOf(normal) {
   return [level, normal.clone().cross(level)];
 }
 
+// The ends of all edges of closed loops, in pairs.
+export const edgesOf = loops =>
+  loops.flatMap(loop => loop.flatMap((place, i) => [place, loop[(i + 1) % loop.length]]));
+
 export const flatLoop = (loop, [u, v]) => loop.map(p => [p.dot(u), p.dot(v)]);
 
 export function isWithin(loops, [x, y]) {

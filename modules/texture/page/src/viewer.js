@@ -1,6 +1,6 @@
-// The page: its views and tools, what clicks, keys and buttons do, and its links.
+// The page: its views and tools, and what clicks, keys and buttons do.
 
-import {Raycaster, Vector2, Vector3} from 'three';
+import {Raycaster, Vector2} from 'three';
 
 import {Card} from './card.js';
 import {Dollhouse} from './dollhouse.js';
@@ -9,7 +9,7 @@ import {Inside} from './inside.js';
 import {listenToKeys} from './keys.js';
 import {Labels} from './labels.js';
 import {Layers} from './layers.js';
-import {isPlace, numbersOf, readLink, writeLink} from './link.js';
+import {followLink, writeLink} from './link.js';
 import {List} from './list.js';
 import {Measuring} from './measuring.js';
 import {Occlusion} from './occlusion.js';
@@ -17,7 +17,6 @@ import {Plan} from './plan.js';
 import {listenToPointer} from './pointer.js';
 
 const byId = id => document.getElementById(id);
-const names = ['dollhouse', 'inside', 'plan'];
 
 export class Viewer {
   constructor(world, picture) {
@@ -46,7 +45,7 @@ export class Viewer {
     this.resize();
     this.listen();
     this.measuring.set(false);
-    this.follow();
+    followLink(this);
     this.changed();
   }
 
@@ -59,7 +58,7 @@ export class Viewer {
     for (const other of Object.values(this.views))
       other.controls.enabled = false;
     view.controls.enabled = true;
-    for (const id of names)
+    for (const id of Object.keys(this.views))
       byId(id).setAttribute('aria-pressed', String(id === name));
     this.picture.view = view;
     this.views.plan.walls.group.visible = name === 'plan';
@@ -70,6 +69,7 @@ export class Viewer {
       view.home(false);
     }
     document.body.dataset.view = name;
+    byId('hint').textContent = view.hint;
     this.changed();
   }
 
@@ -95,7 +95,7 @@ export class Viewer {
     const {item} = this.card;
     if (item && item.kind === 'plane' && !this.world.isShown(item))
       this.choose(null);
-    this.writeLink();
+    writeLink(this);
     this.occlusion.add(this.view);
   }
 
@@ -125,7 +125,8 @@ export class Viewer {
   }
 
   hitAt({x, y}) {
-    this.ray.setFromCamera(new Vector2(2 * x / window.innerWidth - 1, 1 - 2 * y / window.innerHeight), this.view.camera);
+    const place = new Vector2(2 * x / window.innerWidth - 1, 1 - 2 * y / window.innerHeight);
+    this.ray.setFromCamera(place, this.view.camera);
     return this.world.hit(this.ray);
   }
 
@@ -164,7 +165,7 @@ export class Viewer {
       isShown: () => this.layers.names && this.view.name !== 'inside'})));
   }
 
-  // --- keys, buttons, links
+  // --- keys and buttons
 
   close() {
     if (!byId('help_text').hidden)
@@ -196,7 +197,7 @@ export class Viewer {
 
   listen() {
     const toggleHelp = () => { byId('help_text').hidden = !byId('help_text').hidden; };
-    for (const name of names)
+    for (const name of Object.keys(this.views))
       byId(name).addEventListener('click', () => this.enter(name));
     byId('measure').addEventListener('click', () => this.toggleMeasuring());
     byId('home').addEventListener('click', () => this.home());
@@ -217,57 +218,6 @@ export class Viewer {
       this.resize();
       this.changed();
     });
-    addEventListener('hashchange', () => this.follow());
-  }
-
-  writeLink() {
-    const {view, world, measuring, card} = this;
-    const place = vector => world.frame.placeInMap(vector).map(x => Number(x.toFixed(3))).join(',');
-    const to = view.controls.getTarget(new Vector3(), true), at = view.controls.getPosition(new Vector3(), true);
-    if (view.name === 'inside') // whose target is at the eye
-      to.sub(at).normalize().multiplyScalar(2).add(at);
-    writeLink({view: view.name, at: place(at), to: place(to),
-               zoom: view.name === 'dollhouse' ? null : Number(view.camera.zoom.toFixed(3)),
-               [card.item?.kind]: card.item?.id,
-               points: measuring.between === 'points' ? measuring.link() : null,
-               planes: measuring.between === 'planes' ? measuring.link() : null,
-               layers: this.layers.switched().join(','), ao: this.occlusion.is_on ? null : 0});
-  }
-
-  // Shows what the address says.
-  follow() {
-    const link = readLink();
-    this.occlusion.is_on = link.ao !== '0';
-    if (link.layers !== undefined)
-      this.layers.switchTo(link.layers.split(','));
-    this.enter(names.includes(link.view) ? link.view : this.view?.name ?? 'dollhouse');
-    const at = numbersOf(link.at), to = numbersOf(link.to);
-    const has_camera = isPlace(at) && isPlace(to);
-    if (has_camera)
-      this.standAs(at, to, Number(link.zoom));
-    for (const between of ['points', 'planes'])
-      if (link[between])
-        this.measuring.follow(between, numbersOf(link[between]));
-    const kind = ['plane', 'cylinder', 'box', 'room'].find(name => link[name] !== undefined);
-    const item = kind && this.world.items.find(kind, Number(link[kind]));
-    if (item) {
-      this.reveal(item);
-      this.choose(item);
-      if (!has_camera)
-        this.view.show(item);
-    } else if (kind || !this.card.item || has_camera) {
-      this.choose(null);
-    }
-  }
-
-  standAs(at, to, zoom) {
-    const {view} = this;
-    const [eye, target] = [at, to].map(place => this.world.frame.place(place));
-    if (view.name === 'inside')
-      view.stand(eye, target.sub(eye), false);
-    else
-      view.controls.setLookAt(...eye, ...target, false);
-    if (zoom > 0 && view.name !== 'dollhouse')
-      view.controls.zoomTo(zoom, false);
+    addEventListener('hashchange', () => followLink(this));
   }
 }

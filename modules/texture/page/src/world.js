@@ -9,6 +9,7 @@ import {boxOf, fragmentsOf} from './fragments.js';
 import {Frame} from './frame.js';
 import {readGlb} from './glb.js';
 import {Items} from './items.js';
+import {edgesOf} from './polygons.js';
 import {surfacesOf} from './surfaces.js';
 import {Textures} from './textures.js';
 
@@ -17,8 +18,7 @@ Mesh.prototype.raycast = acceleratedRaycast;
 const outline_material = new LineBasicMaterial({color: 0x44505e, transparent: true, opacity: 0.55});
 
 function lines(loops, material) {
-  const points = loops.flatMap(loop => loop.flatMap((p, i) => [p, loop[(i + 1) % loop.length]]));
-  return new LineSegments(new BufferGeometry().setFromPoints(points), material);
+  return new LineSegments(new BufferGeometry().setFromPoints(edgesOf(loops)), material);
 }
 
 function wayOf(places, colour) {
@@ -67,10 +67,13 @@ export class World {
   }
 
   addSurfaces() {
+    this.surfaces_of = new Map();
     for (const surface of this.surfaces) {
       surface.item = this.items.find(surface.kind, surface.id);
       surface.is_fragment = surface.kind === 'plane' && this.fragments.has(surface.id);
       surface.meshes = [...surface.group.children];
+      if (surface.item)
+        this.surfaces_of.set(surface.item, [...(this.surfaces_of.get(surface.item) ?? []), surface]);
       this.group.add(surface.group);
     }
   }
@@ -147,7 +150,7 @@ export class World {
   }
 
   isShown(item) {
-    const surfaces = this.surfaces.filter(surface => surface.item === item);
+    const surfaces = this.surfaces_of.get(item) ?? [];
     return surfaces.length === 0 || surfaces.some(surface => surface.group.visible);
   }
 
