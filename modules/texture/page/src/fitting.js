@@ -9,7 +9,7 @@ export function freeArea() {
   const views = document.getElementById('views').getBoundingClientRect();
   const is_wide = getComputedStyle(document.getElementById('contents')).display === 'none';
   const left = is_wide ? side.right + 12 : 12;
-  const [top, bottom] = is_wide ? [views.bottom + 12, height - 16] : [64, views.top - 10];
+  const [top, bottom] = is_wide ? [views.bottom + 12, height - 40] : [64, views.top - 10];
   return {left: 2 * left / width - 1, right: 1 - 2 * 16 / width,
           top: 1 - 2 * top / height, bottom: 1 - 2 * bottom / height};
 }
