@@ -520,15 +520,17 @@ private:
     constexpr double slack = 0.05; // metres, by which outlines may end beside a reveal
     const double begin = before.end, end = behind.begin;
     const auto ahead = cornerBeyond(wall, begin, 1), back = cornerBeyond(wall, end, -1);
-    const bool has_end = ahead && *ahead <= end + slack,
-               has_begin = back && *back >= begin - slack;
+    if (ahead && *ahead <= begin + slack && back && *back >= end - slack)
+      return; // another wall ends there
+    const bool has_end = ahead && *ahead > begin + slack && *ahead <= end + slack,
+               has_begin = back && *back < end - slack && *back >= begin - slack;
     const double first = has_begin ? *back : begin, last = has_end ? *ahead : end;
     // something may have hidden the wall where it was not seen to end
     const bool is_seen = has_begin || has_end ||
                          (before.end_kind != EdgeKind::Frontier &&
                           behind.begin_kind != EdgeKind::Frontier);
     bool is_open = false;
-    if (first < last)
+    if (last - first > slack)
       is_open = addOpening(wall, first, last, is_seen);
     else {
       is_open = addOpening(wall, begin, last, true);
@@ -544,7 +546,7 @@ private:
 
   /** \brief Adds a part of a gap, if it is an opening.
    * \param[in] is_seen Were its sides seen? Otherwise it may be a part of the wall that was
-   * hidden, unless the floor goes on in it
+   * hidden, unless the floor goes on in it, or a leaf closes it
    * \return whether it is an opening */
   bool
   addOpening(const Wall& wall, double begin, double end, bool is_seen)
@@ -562,7 +564,8 @@ private:
     if (opening.is_window
             ? !is_seen || !frame.is_level || !(has_frame || isOutside(opening))
             : width > (std::isfinite(opening.top) ? widest_opening : widest_door) ||
-                  !frame.is_covered || !(is_seen || hasFloor(opening)))
+                  !frame.is_covered ||
+                  !(is_seen || hasFloor(opening) || hasLeaf(opening)))
       return false;
     if (!isKnown(opening))
       plan_.openings.push_back(opening);
@@ -598,6 +601,21 @@ private:
     return std::any_of(plan_.floors.begin(),
                        plan_.floors.end(),
                        [&](const auto& loops) { return isInside(loops, place); });
+  }
+
+  /** \brief Does a wall, or a leaf, close an opening a little behind its middle? */
+  bool
+  hasLeaf(const PlanOpening& opening) const
+  {
+    constexpr double nearest = 0.02, deepest = 0.35; // metres
+    const Vector2d middle = (opening.from + opening.to) / 2;
+    return std::any_of(
+        plan_.walls.begin(), plan_.walls.end(), [&](const PlanWall& other) {
+          return meet(middle - nearest * frontOf(opening),
+                      middle - deepest * frontOf(opening),
+                      other.from,
+                      other.to);
+        });
   }
 
   /** \brief Is no wall behind the middle of an opening? */
