@@ -520,7 +520,10 @@ private:
     constexpr double slack = 0.05; // metres, by which outlines may end beside a reveal
     const double begin = before.end, end = behind.begin;
     const auto ahead = cornerBeyond(wall, begin, 1), back = cornerBeyond(wall, end, -1);
-    if (ahead && *ahead <= begin + slack && back && *back >= end - slack)
+    constexpr double thickest = thickest_wall + 0.1; // metres, as outlines have it
+    const bool are_pieces = before.begin < before.end && behind.begin < behind.end;
+    if (are_pieces && end - begin <= thickest &&
+        (isAbutted(wall, begin) || isAbutted(wall, end)))
       return; // another wall ends there
     const bool has_end = ahead && *ahead > begin + slack && *ahead <= end + slack,
                has_begin = back && *back < end - slack && *back >= begin - slack;
@@ -542,6 +545,22 @@ private:
         plan_.unseen_walls.push_back(
             {flat(wall, begin), flat(wall, end), wall.plane()});
     }
+  }
+
+  /** \brief Does another wall stand in front of a place of a wall, and end there? */
+  bool
+  isAbutted(const Wall& wall, double along) const
+  {
+    constexpr double beside = 0.05, in_front = 0.15, max_cosine = 0.3; // metres
+    const Vector2d place = flat(wall, along), front = flat(wall.normal());
+    return std::any_of(
+        plan_.walls.begin(), plan_.walls.end(), [&](const PlanWall& other) {
+          const double from = front.dot(other.from - place),
+                       to = front.dot(other.to - place);
+          return std::abs(frontOf(other).dot(front)) < max_cosine &&
+                 std::abs(frontOf(other).dot(place - other.from)) < beside &&
+                 std::min(from, to) < in_front && std::max(from, to) > in_front;
+        });
   }
 
   /** \brief Adds a part of a gap, if it is an opening.
