@@ -227,11 +227,11 @@ async function checkMeasures(browser, name, size) {
   const follow = async link => {
     await page.press('#measuring .close');
     await page.value(`location.hash = '#view=inside&ao=0&${link}'`);
-    await page.until(`/ m \\(/.test(${text('#told')})`);
+    await page.until(`/ m( ±[^(]+)? \\(/.test(${text('#told')})`);
     return page.value(text('#told'));
   };
   const walls = await follow('planes=2,4');
-  expect(fault, number(walls) === 4 && /parallel/.test(walls), `between walls: ${walls}`);
+  expect(fault, number(walls) === 4 && /± at least .* mm .*parallel/.test(walls), `between walls: ${walls}`);
   // 2 degrees off, 1 m before the wall in its middle
   const slanted = await follow('planes=4,7');
   expect(fault, Math.abs(number(slanted) - 1) < 0.003 && /2\.0° off/.test(slanted), `to a slanted wall: ${slanted}`);
