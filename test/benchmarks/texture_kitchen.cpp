@@ -156,8 +156,8 @@ refine(const CompactMap& map, int radius, Photo& photo)
         return view
             .is_known[static_cast<std::size_t>((row + r) * camera.width + column + c)];
       };
-      if (!isKnown(0, 0) || !isKnown(2 * 0 - 1, 0) || !isKnown(1, 0) ||
-          !isKnown(0, -1) || !isKnown(0, 1))
+      if (!isKnown(0, 0) || !isKnown(-1, 0) || !isKnown(1, 0) || !isKnown(0, -1) ||
+          !isKnown(0, 1))
         continue;
       const double x =
           (wanted.at<float>(row, column + 1) - wanted.at<float>(row, column - 1)) / 2.0;
