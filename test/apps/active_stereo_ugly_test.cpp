@@ -23,11 +23,13 @@ TEST_F(ActiveStereoUgly, HelpTellsUnitsAndDefaults)
 {
   const ToolRun help = runTool(ACMAP_ACTIVE_STEREO, {"--help"}).succeeded();
   for (const char* word : {"SESSION_DIR",
-                           "--min-depth M=0.5",
-                           "--max-depth M=10",
+                           "--min-depth M ",
+                           "[default: 0.5]",
+                           "--max-depth M ",
+                           "[default: 10]",
                            "metres",
                            "grey levels",
-                           "--method NAME=spacetime",
+                           "--method NAME ",
                            "PNG, JPEG, PGM or PPM",
                            "--rectify",
                            "--active",

@@ -76,7 +76,11 @@ TEST(CompactMapping, TellsHowCompactItIs)
   EXPECT_EQ(bytes.at("raw"), report.at("finite_points").get<std::size_t>() * 16);
   EXPECT_EQ(bytes.at("map.glb"), fs::file_size(made.map + "/map.glb"));
   EXPECT_EQ(bytes.at("map.json"), fs::file_size(made.map + "/map.json"));
-  EXPECT_LT(bytes.at("map.glb").get<double>() * 100, bytes.at("raw").get<double>());
+  EXPECT_EQ(bytes.at("textured"),
+            bytes.at("map.glb").get<std::size_t>() -
+                bytes.at("details").get<std::size_t>());
+  // texels of a pixel's size
+  EXPECT_LT(bytes.at("textured").get<double>() * 40, bytes.at("raw").get<double>());
   const auto& texture = report.at("texture");
   EXPECT_EQ(texture.at("pinholes"), 4);
   EXPECT_GT(texture.at("seen").get<double>(), 0.8 * texture.at("texels").get<double>());

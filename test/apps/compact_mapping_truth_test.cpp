@@ -46,7 +46,7 @@ TEST(CompactMappingTruth, TellsFiveFigures)
   EXPECT_NEAR(truth.at("ate_after_m"), 0, 1e-9);
   const nlohmann::json bytes = jsonOfFile(map + "/report.json").at("bytes");
   EXPECT_NEAR(truth.at("compactness"),
-              bytes.at("raw").get<double>() / bytes.at("map.glb").get<double>(),
+              bytes.at("raw").get<double>() / bytes.at("textured").get<double>(),
               1e-6);
 }
 
