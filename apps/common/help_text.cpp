@@ -310,7 +310,7 @@ helpOf(const CLI::App& app,
 std::string
 manPageOf(const CLI::App& app, const HelpText& help)
 {
-  const std::string name = app.get_name();
+  const std::string& name = app.get_name();
   std::string text = ".TH " + name + " 1 \"\" \"acmap " ACMAP_VERSION "\"\n.SH NAME\n" +
                      name + " \\- " + troff(app.get_description()) +
                      "\n.SH SYNOPSIS\n" + troff(usageOf(app)) + "\n";
