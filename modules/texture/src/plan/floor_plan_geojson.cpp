@@ -101,6 +101,19 @@ addNumber(const char* name, double value, std::ostringstream& text)
     text << "null";
 }
 
+/** \brief A name in quotes; control characters become blanks. */
+void
+addName(const std::string& name, std::ostringstream& text)
+{
+  text << ",\"name\":\"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\')
+      text << '\\';
+    text << (static_cast<unsigned char>(c) < ' ' ? ' ' : c);
+  }
+  text << '"';
+}
+
 void
 addFloors(const FloorPlan& plan, FeatureList& features)
 {
@@ -156,6 +169,7 @@ geoJsonOf(const FloorPlan& plan)
     features.begin("Point");
     features.addPlace(plan.rooms[i].center);
     features.properties("room") << ",\"room\":" << i;
+    addName(plan.rooms[i].name, text);
     addNumber("area", plan.rooms[i].area, text);
     addNumber("seen_area", plan.rooms[i].seen_area, text);
     features.end();
