@@ -35,11 +35,13 @@ public:
   : found_(found)
   , points_(acmap::requirePoints(found.vertices))
   , color_(acmap::findColor(found.vertices.layout()))
+  , labels_(found.vertex_labels)
   {}
 
   MapDetails
   make(std::size_t max_bytes)
   {
+    leaveOutNoise();
     takeTriangles();
     dropSmallPieces();
     if (corners_.empty())
@@ -57,8 +59,40 @@ private:
   isOnSurface(std::int32_t vertex) const
   {
     const auto i = static_cast<std::size_t>(vertex);
-    return found_.vertex_labels[i] >= 0 ||
+    return labels_[i] >= 0 ||
            (!found_.vertex_cylinders.empty() && found_.vertex_cylinders[i] >= 0);
+  }
+
+  /** \brief Is a vertex within three times the noise of a plane, or a spacing? */
+  bool
+  isNear(std::int32_t vertex, std::int32_t plane) const
+  {
+    const PlanePatch& patch = found_.planes[static_cast<std::size_t>(plane)];
+    const Eigen::Vector3d place =
+        points_[static_cast<std::size_t>(vertex)].cast<double>();
+    return std::abs(patch.coefficients.dot(place.homogeneous())) <=
+           std::max(3 * patch.rms, found_.spacing);
+  }
+
+  /** \brief Gives a plane to the vertices beside it that only noise keeps off it. */
+  void
+  leaveOutNoise()
+  {
+    constexpr int max_sweeps = 8;
+    bool has_changed = true;
+    for (int sweep = 0; sweep < max_sweeps && has_changed; ++sweep) {
+      has_changed = false;
+      for (const Triangle& triangle : found_.mesh.triangles)
+        for (std::size_t c = 0; c < triangle.size(); ++c) {
+          std::int32_t& label = labels_[static_cast<std::size_t>(triangle[c])];
+          const std::int32_t beside =
+              labels_[static_cast<std::size_t>(triangle[(c + 1) % 3])];
+          if (label < 0 && beside >= 0 && isNear(triangle[c], beside)) {
+            label = beside;
+            has_changed = true;
+          }
+        }
+    }
   }
 
   /** \brief Takes the triangles with a corner on no surface, with their vertices numbered
@@ -218,6 +252,7 @@ private:
   const MappedPlanes& found_;
   acmap::PointView points_;
   const PCLPointField* color_;
+  PointLabels labels_;                 ///< plane of each vertex
   std::vector<std::int32_t> vertices_; ///< of the mesh
   std::vector<Eigen::Vector3f> places_;
   std::vector<std::uint32_t> corners_; ///< three of each triangle

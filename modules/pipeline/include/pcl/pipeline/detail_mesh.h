@@ -15,7 +15,7 @@ inline constexpr std::size_t default_detail_bytes = 1000000;
 /** \brief Makes the details of a map: the triangles of its mesh with a corner on no plane and
  * on no cylinder, simplified by edge collapses (quadric errors).
  *
- * Connected pieces of less than 5 cm, or of fewer than 12 triangles, are left out: most of
+ * Vertices beside a plane, within three times its noise or a spacing, belong to it. Connected pieces of less than 5 cm, or of fewer than 12 triangles, are left out: most of
  * them are noise. All others may deviate by half the spacing of the points; if they take more
  * than \a max_bytes then, they are simplified further, and the smallest pieces are left out.
  * \param[in] found planes with the mesh on which they were found
