@@ -248,9 +248,10 @@ TEST(PlanDrawing, UglyPlansAreDrawn)
   plan.columns.push_back({{1, 1}, 0.2, 0, 7, false});
   plan.furniture.emplace_back();
   for (const PlanItem& item : drawPlan(plan).items)
-    if (const auto* line = std::get_if<PlanLine>(&item.shape))
+    if (const auto* line = std::get_if<PlanLine>(&item.shape)) {
       for (const Vector2d& point : line->points)
         EXPECT_TRUE(point.allFinite());
+    }
 }
 
 /** What is drawn of walls that were not seen. */
