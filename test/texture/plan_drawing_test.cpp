@@ -2,11 +2,11 @@
 #include "plan/plan_drawing.h"
 #include "plan/plan_raster.h"
 #include "plan/plan_style.h"
-#include "plan/polygon_inside.h"
 #include "plan/stroke_font.h"
 #include "plan/text_places.h"
 #include "plan/unseen_borders.h"
 #include "plan/wall_bodies.h"
+#include <pcl/texture/impl/polygon_inside.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 #include "naming/smallest_rectangle.h"
 
 #include <pcl/pipeline/surface_names.h>
+#include <pcl/texture/impl/polygon_inside.h>
 
 #include <Eigen/Geometry>
 
@@ -50,19 +51,6 @@ struct PlacedPlane {
     return Vector2d(-front.y(), front.x()).normalized();
   }
 };
-
-bool
-isInside(const Vector2d& place, const std::vector<Vector2d>& outline)
-{
-  bool inside = false;
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    const Vector2d &a = outline[k], &b = outline[(k + 1) % outline.size()];
-    if ((a.y() > place.y()) != (b.y() > place.y()) &&
-        place.x() < a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-      inside = !inside;
-  }
-  return inside;
-}
 
 /** \brief "room 1", "rooms 1 and 3", "rooms 1, 2 and 4".
  * \param[in] rooms indices, ascending; not empty */
@@ -387,7 +375,7 @@ private:
   roomsAt(const Vector2d& place) const
   {
     for (std::size_t room = 0; room < plan_.rooms.size(); ++room)
-      if (isInside(place, plan_.rooms[room].outline))
+      if (acmap::isInside({plan_.rooms[room].outline}, place))
         return {room};
     return {};
   }

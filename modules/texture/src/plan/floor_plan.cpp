@@ -1,8 +1,8 @@
 #include <pcl/texture/floor_plan.h>
+#include <pcl/texture/impl/polygon_inside.h>
 
 #include "plan/opening_faces.h"
 #include "plan/plan_contents.h"
-#include "plan/polygon_inside.h"
 #include "plan/room_outline.h"
 #include "plan/unseen_borders.h"
 

@@ -7,10 +7,11 @@
 #include "plan/plan_sheet.h"
 #include "plan/plan_style.h"
 #include "plan/plan_text.h"
-#include "plan/polygon_inside.h"
 #include "plan/text_places.h"
 #include "plan/unseen_borders.h"
 #include "plan/wall_bodies.h"
+
+#include <pcl/texture/impl/polygon_inside.h>
 
 #include <algorithm>
 #include <cmath>

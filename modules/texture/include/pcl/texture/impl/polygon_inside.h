@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/core/build_config.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
