@@ -46,7 +46,6 @@ private:
   middleOf(std::vector<std::uint32_t>& near) const;
 
   const ColoredView& view_;
-  std::int32_t reach_;
   std::vector<std::uint32_t> ends_;   ///< of the points of each texel, row by row
   std::vector<std::uint32_t> points_; ///< by texel, ascending in each
 };
@@ -60,7 +59,6 @@ PointGrid::PointGrid(const ColoredView& view,
                      const Canvas& canvas,
                      std::int32_t reach)
 : view_(view)
-, reach_(reach)
 {
   std::vector<std::array<std::int32_t, 2>> places;
   std::int32_t right = -1, bottom = -1;
