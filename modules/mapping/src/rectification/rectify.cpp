@@ -214,8 +214,7 @@ rectify(const std::vector<LevelledPoints>& observations,
         const Progress& progress,
         EntropyRectificationReport& report)
 {
-  if (poses.size() != observations.size())
-    throw acmap::BadArgument("each observation needs one pose");
+  requirePoses(poses, observations.size());
   count(observations, report);
   std::optional<IndependentEstimate> estimate;
   RectificationSettings taken = settings;

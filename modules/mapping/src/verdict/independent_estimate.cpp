@@ -1,5 +1,6 @@
 #include "independent_estimate.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/quantile.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/trajectory_error.h>
@@ -178,6 +179,16 @@ areScans(const std::vector<LevelledPoints>& observations)
   return std::all_of(observations.begin(), observations.end(), isPlanarScan);
 }
 
+void
+requirePoses(const std::vector<PlanarPose>& poses, std::size_t observations)
+{
+  if (poses.size() != observations)
+    throw BadArgument("each observation needs one pose");
+  for (const PlanarPose& pose : poses)
+    if (!std::isfinite(pose.x) || !std::isfinite(pose.z) || !std::isfinite(pose.theta))
+      throw BadArgument("the pose of an observation is not finite");
+}
+
 IndependentEstimate::IndependentEstimate(
     const std::vector<LevelledPoints>& observations,
     const std::vector<PlanarPose>& given,
@@ -186,6 +197,7 @@ IndependentEstimate::IndependentEstimate(
     const Progress& progress)
 : given_(given)
 {
+  requirePoses(given, observations.size());
   std::vector<BeamScan> scans(observations.size());
   oneapi::tbb::parallel_for(std::size_t{0}, scans.size(), [&](std::size_t i) {
     scans[i] = beamScanOf(observations[i]);
@@ -201,6 +213,7 @@ IndependentEstimate::IndependentEstimate(
 MapVerdictReport
 IndependentEstimate::judge(const std::vector<PlanarPose>& poses) const
 {
+  requirePoses(poses, given_.size());
   MapVerdictReport report;
   report.observations = given_.size();
   report.odometry = odometry_;

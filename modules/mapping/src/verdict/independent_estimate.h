@@ -15,6 +15,10 @@ namespace pcl::acmap {
 bool
 areScans(const std::vector<LevelledPoints>& observations);
 
+/** \throws BadArgumentException unless there is a finite pose for each observation */
+void
+requirePoses(const std::vector<PlanarPose>& poses, std::size_t observations);
+
 /** \brief An estimate of a trajectory from scans and odometry alone, with an honest
  * covariance, which judges other estimates. It uses neither entropy nor what a
  * rectification found. */
@@ -22,6 +26,7 @@ class IndependentEstimate {
 public:
   /** \param[in] given the odometry
    * \param[in] assumed its noise
+   * \throws BadArgumentException as \ref requirePoses
    * \throws CancelledException when the progress callback requested to stop */
   IndependentEstimate(const std::vector<LevelledPoints>& observations,
                       const std::vector<PlanarPose>& given,
@@ -36,7 +41,8 @@ public:
     return odometry_;
   }
 
-  /** \brief Judges other poses of the same observations. */
+  /** \brief Judges other poses of the same observations.
+   * \throws BadArgumentException as \ref requirePoses */
   MapVerdictReport
   judge(const std::vector<PlanarPose>& poses) const;
 
