@@ -57,7 +57,7 @@ public:
     add(0, "SECTION");
     add(2, "ENTITIES");
     for (const PlanItem& item : drawing_.items) {
-      layer_ = nameOf(item.layer);
+      layer_ = item.layer;
       std::visit(*this, item.shape);
     }
     add(0, "ENDSEC");
@@ -70,12 +70,11 @@ public:
   void
   operator()(const PlanArea& area)
   {
-    if (layer_ == nameOf(PlanLayer::Floor))
+    if (layer_ == PlanLayer::Floor)
       for (const std::vector<Vector2d>& loop : area.loops)
         addPolyline(loop, true, {});
     const std::vector<Vector2d>& corners = area.loops.front();
-    const bool is_filled =
-        layer_ == nameOf(PlanLayer::Walls) || layer_ == nameOf(PlanLayer::Title);
+    const bool is_filled = layer_ == PlanLayer::Walls || layer_ == PlanLayer::Title;
     if (!is_filled || corners.size() != 4 || area.color == paper_color)
       return;
     begin("SOLID");
@@ -130,12 +129,6 @@ public:
   }
 
 private:
-  static const char*
-  nameOf(PlanLayer layer)
-  {
-    return plan_layer_names[static_cast<std::size_t>(layer)];
-  }
-
   template <typename Value>
   void
   add(int code, const Value& value)
@@ -155,7 +148,7 @@ private:
   begin(const char* entity)
   {
     add(0, entity);
-    add(8, layer_);
+    add(8, plan_layer_names[static_cast<std::size_t>(layer_)]);
   }
 
   void
@@ -256,7 +249,7 @@ private:
   const PlanDrawing& drawing_;
   Vector2d offset_;
   std::ostringstream text_;
-  const char* layer_ = "";
+  PlanLayer layer_ = PlanLayer::Floor;
 };
 
 } // namespace
