@@ -7,13 +7,22 @@
 
 #include <pcl/core/map_topology.h>
 #include <pcl/texture/compact_map_folder.h>
+#include <pcl/texture/floor_plan.h>
+#include <pcl/texture/map_page.h>
 
 #include <pybind11/stl.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
 
 namespace pcl::acmap::python {
 
 namespace {
 
+namespace fs = std::filesystem;
 using namespace py::literals;
 
 const Trajectory&
@@ -44,6 +53,78 @@ readMap(const PathArgument& argument)
     map = loadCompactMap(folder);
   }
   return {std::move(map), py::none()};
+}
+
+/** Replaces what would end an attribute, or begin a character reference. */
+std::string
+escaped(const std::string& text)
+{
+  std::string result;
+  result.reserve(text.size());
+  for (const char letter : text)
+    if (letter == '"')
+      result += "&quot;";
+    else if (letter == '&')
+      result += "&amp;";
+    else
+      result += letter;
+  return result;
+}
+
+std::string
+contentOf(const std::string& path)
+{
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  return content.str();
+}
+
+/** A folder for files that nobody keeps. */
+class PassingFolder {
+public:
+  PassingFolder()
+  {
+    std::string name = (fs::temp_directory_path() / "acmap_XXXXXX").string();
+    if (!mkdtemp(name.data()))
+      throw OutputFileException(name + ": cannot be made");
+    path_ = name;
+  }
+
+  PassingFolder(const PassingFolder&) = delete;
+
+  PassingFolder&
+  operator=(const PassingFolder&) = delete;
+
+  ~PassingFolder()
+  {
+    std::error_code error;
+    fs::remove_all(path_, error);
+  }
+
+  std::string
+  path(const char* name = "") const
+  {
+    return (path_ / name).string();
+  }
+
+private:
+  fs::path path_;
+};
+
+/** For a notebook: the page of the map in a frame; its floor plan where there is no page. */
+std::string
+shownInNotebook(const ReportedMap& reported)
+{
+  const py::gil_scoped_release others_may_run;
+  const PassingFolder folder;
+  if (!hasMapPage()) {
+    saveFloorPlan(folder.path("plan.svg"), makeFloorPlan(reported.map));
+    return contentOf(folder.path("plan.svg"));
+  }
+  saveCompactMap(folder.path(), reported.map);
+  saveMapPage(folder.path("map.html"), folder.path());
+  return R"(<iframe style="width:100%;height:600px;border:0" srcdoc=")" +
+         escaped(contentOf(folder.path("map.html"))) + R"("></iframe>)";
 }
 
 constexpr const char* about_saving =
@@ -183,6 +264,9 @@ bindCompactMap(py::module_& module)
           "(3,) float64, metres: what was subtracted from the coordinates of the "
           "input, "
           "such as a national grid; zeros if nothing was")
+      .def("_repr_html_",
+           &shownInNotebook,
+           "For notebooks: the page that shows the map, in a frame.")
       .def("save",
            &saveMap,
            about_saving,

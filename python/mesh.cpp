@@ -6,7 +6,9 @@
 #include "results.h"
 #include "sensors.h"
 #include "setter_keyword.h"
+#include "surface_picture.h"
 
+#include <pcl/core/impl/mesh_input.h>
 #include <pcl/surface/dewall_triangulation.h>
 
 namespace pcl::acmap::python {
@@ -37,7 +39,26 @@ triangulate(const PointArgument& points,
     takeSensor(rows.width, !input.sensor_origin.isZero(0), input);
     return triangulateDeWall(input, settings, progress, report);
   });
-  return pythonMesh(std::move(mesh), reportOf(report));
+  Mesh result = pythonMesh(std::move(mesh), reportOf(report));
+  result.points = points;
+  return result;
+}
+
+/** For a notebook: PNG, or None without points. */
+py::object
+pictureOfMesh(const Mesh& mesh)
+{
+  if (mesh.points.is_none())
+    return py::none();
+  const PointView points = pointRowsOf("points", mesh.points).view;
+  PictureMesh picture;
+  picture.points = points.size();
+  picture.point = [&](std::size_t i) { return points[i]; };
+  picture.triangles = mesh.mesh->triangles;
+  requireCornersInside(picture.triangles, points.size());
+  picture.colors = {{150, 175, 205}};
+  const std::string png = pictureOf(picture);
+  return png.empty() ? py::object(py::none()) : py::bytes(png);
 }
 
 constexpr const char* about_mesh =
@@ -79,10 +100,16 @@ bindMesh(py::module_& module)
             &Mesh::wall_depth,
             "(m,) uint8, depth of the dividing wall that made a triangle, 255 "
             "for none; None unless asked for"),
+      field(
+          "points",
+          &Mesh::points,
+          "the points that the corners index, as they were given to triangulate; None "
+          "for a mesh from a file"),
       field("report",
             &Mesh::report,
             "counts, seconds and remarks, named as in pcl::DeWallReport; None "
             "for a mesh from a file"));
+  addPicture<Mesh>(module, "Mesh", &pictureOfMesh);
   const DeWallSettings defaults;
   module.def(
       "triangulate",

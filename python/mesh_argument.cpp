@@ -54,7 +54,9 @@ restored(const Mesh& read)
     for (py::ssize_t t = 0; t < depth.size(); ++t)
       mesh.wall_depth.push_back(depth(t));
   }
-  return pythonMesh(std::move(mesh), read.report);
+  Mesh result = pythonMesh(std::move(mesh), read.report);
+  result.points = read.points;
+  return result;
 }
 
 std::shared_ptr<const TriangleMesh>

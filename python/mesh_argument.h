@@ -9,11 +9,19 @@
 
 namespace pcl::acmap::python {
 
+struct ShownPointsOrNone {
+  static constexpr auto name =
+      py::detail::const_name("Optional[numpy.ndarray[float32[n, 3]]]");
+};
+
+using PointsOrNone = ShownAs<ShownPointsOrNone>;
+
 /** \brief Result of triangulate. Its arrays refer to the mesh. */
 struct Mesh {
   std::shared_ptr<TriangleMesh> mesh;
   py::array_t<std::int32_t> triangles;
   std::optional<py::array_t<std::uint8_t>> wall_depth;
+  PointsOrNone points = py::none();
   ReportOrNone report;
 };
 

@@ -6,7 +6,9 @@
 #include "results.h"
 #include "sensors.h"
 #include "setter_keyword.h"
+#include "surface_picture.h"
 
+#include <pcl/core/polygon_triangles.h>
 #include <pcl/segmentation/plane_hypothesis_clustering.h>
 
 namespace pcl::acmap::python {
@@ -84,6 +86,45 @@ regular         turns planes to be parallel or upright to larger ones, where the
 threads         0: all; the result is the same bytes for every number
 progress        called with (fraction, step); stops the run when it returns False)";
 
+/** Of successive planes; neighbours are easily told apart. */
+constexpr std::array<std::uint8_t, 3> colors[] = {{86, 140, 200},
+                                                  {230, 150, 60},
+                                                  {110, 175, 95},
+                                                  {205, 95, 95},
+                                                  {150, 120, 190},
+                                                  {165, 125, 105},
+                                                  {225, 140, 190},
+                                                  {190, 190, 80},
+                                                  {85, 185, 195}};
+
+/** For a notebook: PNG of the outlines, or None without planes. */
+py::object
+pictureOfPlanes(const Planes& planes)
+{
+  PictureMesh picture;
+  std::vector<Eigen::Vector3f> points;
+  std::size_t number = 0;
+  for (const py::handle item : planes.patches) {
+    const auto& patch = item.cast<const PlanePatch&>();
+    const std::array<std::uint8_t, 3> color = colors[number++ % std::size(colors)];
+    for (const PlanePolygon& polygon : patch.polygons) {
+      const auto first = static_cast<index_t>(points.size());
+      for (const TriangleMesh::Triangle& corners :
+           trianglesOfPolygon(polygon, patch.coefficients.head<3>())) {
+        picture.triangles.push_back(
+            {corners[0] + first, corners[1] + first, corners[2] + first});
+        picture.colors.push_back(color);
+      }
+      for (const Eigen::Vector3f& point : pointsOfPolygon(polygon))
+        points.push_back(point);
+    }
+  }
+  picture.points = points.size();
+  picture.point = [&](std::size_t i) { return points[i]; };
+  const std::string png = pictureOf(picture);
+  return png.empty() ? py::object(py::none()) : py::bytes(png);
+}
+
 void
 bindPlanesClass(py::module_& module)
 {
@@ -105,6 +146,7 @@ bindPlanesClass(py::module_& module)
             &Planes::report,
             "counts, seconds and remarks, named as in "
             "pcl::PlaneClusteringReport"));
+  addPicture<Planes>(module, "Planes", &pictureOfPlanes);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 import concurrent.futures
 import gc
+import html
 import inspect
 import json
 import os
@@ -174,6 +175,16 @@ class Room(MapTest):
             read = acmap.read_map(folder)
         self.expect_equal(read, self.map)
         self.assertIsNone(read.report)
+
+    def test_a_notebook_shows_its_page(self):
+        shown = self.map._repr_html_()
+        self.assertNotIn("<script", shown.split("srcdoc=")[0])
+        if shown.startswith("<iframe"):
+            page = html.unescape(shown.split('srcdoc="')[1].split('"')[0])
+            self.assertTrue(page.startswith("<!DOCTYPE html>"))
+            self.assertIn("Dollhouse", page)
+        else:
+            self.assertIn("<svg", shown, "the plan, where acmap has no page")
 
     def test_the_shift_of_coordinates_is_saved(self):
         self.assertEqual(self.map.shift.dtype, numpy.float64)

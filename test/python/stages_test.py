@@ -1,7 +1,10 @@
 """What the stages find in a simulated room, from the noisy view to its planes."""
 
 import inspect
+import pickle
+import struct
 import unittest
+import zlib
 
 import numpy
 
@@ -11,6 +14,38 @@ from rooms import noisy_wall, room_view, turned, walls
 
 def off_walls(points):
     return numpy.min([abs(points[:, axis] - at) for axis, at in walls], axis=0)
+
+
+def pixels_of(png):
+    """Pixels of a PNG of 8 bits a channel, without interlacing."""
+    at, data, size = 8, b"", None
+    while at < len(png):
+        length, kind = struct.unpack(">I4s", png[at:at + 8])
+        part = png[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            size = struct.unpack(">II", part[:8])
+        if kind == b"IDAT":
+            data += part
+        at += length + 12
+    width, height = size
+    stride = 3 * width
+    data = zlib.decompress(data)
+    above, pixels = bytearray(stride), bytearray()
+    for row in range(height):
+        kind, *line = data[row * (stride + 1):(row + 1) * (stride + 1)]
+        for i, value in enumerate(line):
+            left, corner = (line[i - 3], above[i - 3]) if i >= 3 else (0, 0)
+            up = above[i]
+            if kind == 4:
+                best = min((abs(up - corner), 0), (abs(left - corner), 1),
+                           (abs(left + up - 2 * corner), 2))[1]
+                guess = (left, up, corner)[best]
+            else:
+                guess = (0, left, up, (left + up) // 2)[kind]
+            line[i] = (value + guess) % 256
+        above = line
+        pixels += bytes(line)
+    return numpy.frombuffer(pixels, numpy.uint8).reshape(height, width, 3)
 
 
 def chain(threads):
@@ -51,6 +86,28 @@ class Room(unittest.TestCase):
         self.assertLess(moved.max(), reach)
         witnesses = points[self.found.witness]
         self.assertLess(numpy.linalg.norm(witnesses - self.found.points, axis=1).max(), reach)
+
+    def test_a_notebook_shows_mesh_and_planes(self):
+        for shown in (self.mesh, self.planes):
+            picture = pixels_of(shown._repr_png_())
+            self.assertEqual(picture.shape, (480, 640, 3))
+            is_drawn = (picture != 255).any(axis=2)
+            self.assertGreater(is_drawn.mean(), 0.2)
+            self.assertTrue((picture[[0, -1]] == 255).all(), "nothing is cut off")
+            rows, columns = numpy.nonzero(is_drawn)
+            reach = max(numpy.ptp(rows) / 480, numpy.ptp(columns) / 640)
+            self.assertGreater(reach, 0.85, "the picture is filled")
+        colors = pixels_of(self.planes._repr_png_()).reshape(-1, 3)
+        self.assertGreaterEqual(len(numpy.unique(colors, axis=0)), 1 + len(self.planes.patches))
+
+    def test_without_points_there_is_no_picture(self):
+        mesh = acmap.triangulate(numpy.zeros((0, 3), numpy.float32))
+        self.assertIsNone(mesh._repr_png_())
+
+    def test_a_mesh_is_pickled_with_its_points(self):
+        again = pickle.loads(pickle.dumps(self.mesh))
+        self.assertEqual(again.points.tobytes(), self.mesh.points.tobytes())
+        self.assertEqual(again._repr_png_(), self.mesh._repr_png_())
 
     def test_mesh_is_open_and_manifold(self):
         edges = numpy.sort(self.mesh.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
