@@ -1,5 +1,7 @@
 #include "revisits/revisit_proposals.h"
 
+#include <pcl/core/progress.h>
+
 #include <opencv2/core.hpp>
 #include <opencv2/flann.hpp>
 
@@ -64,7 +66,18 @@ votesOf(const std::vector<ViewKeypoints>& views, std::size_t min_separation)
   cv::flann::GenericIndex<cvflann::Hamming<unsigned char>> index(
       all, cvflann::HierarchicalClusteringIndexParams());
   cv::Mat found(all.rows, neighbours, CV_32S), distances(all.rows, neighbours, CV_32S);
-  index.knnSearch(all, found, distances, neighbours, cvflann::SearchParams(checks));
+  constexpr int between_polls = 256;
+  for (int first = 0; first < all.rows; first += between_polls) {
+    pollRun();
+    const cv::Range rows(first, std::min(first + between_polls, all.rows));
+    cv::Mat found_there = found.rowRange(rows),
+            distances_there = distances.rowRange(rows);
+    index.knnSearch(all.rowRange(rows),
+                    found_there,
+                    distances_there,
+                    neighbours,
+                    cvflann::SearchParams(checks));
+  }
   std::vector<std::size_t> alike;
   for (int row = 0; row < all.rows; ++row) {
     const std::size_t view = view_of[static_cast<std::size_t>(row)];

@@ -1,19 +1,40 @@
 #include "chain/chain_stages.h"
-#include "part_of_progress.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/part_of_progress.h>
 #include <pcl/core/scratch_memory.h>
 #include <pcl/pipeline/chain.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace pcl::acmap {
 
 namespace {
 
-/** The part of the progress of the chain that a first stage has. */
+namespace fs = std::filesystem;
+
+/** The part of the progress of the chain that a first stage has if nothing is known of the
+ * observations that it makes. */
 constexpr double share_of_first = 0.5;
+
+/** Millions of points of what is mapped, about, by the sizes of the files. */
+double
+millionsIn(const ChainState& state)
+{
+  constexpr double million = 1e6, of_a_view = 0.3, bytes_of_a_point = 16;
+  if (state.cloud.rows)
+    return static_cast<double>(state.cloud.rows.size()) / million;
+  double sum = 0;
+  for (std::size_t i = 0; state.observations && i < state.observations->size(); ++i) {
+    std::error_code error;
+    const std::uintmax_t bytes = fs::file_size(state.observations->path(i), error);
+    sum += error ? of_a_view : static_cast<double>(bytes) / bytes_of_a_point / million;
+  }
+  return sum;
+}
 
 void
 appendNew(const std::vector<std::string>& remarks, std::vector<std::string>& all)
@@ -138,6 +159,27 @@ Chain::applies(const ChainStage& stage) const
   return !stage.applies || stage.applies(state_, settings_);
 }
 
+double
+Chain::endOf(const ChainStage& stage) const
+{
+  if (&stage == &run_stages_.back())
+    return 1;
+  double share = share_of_first;
+  if (!first_ || stage.name != first_->name || state_.observations) {
+    const double millions = millionsIn(state_);
+    const auto secondsOf = [&](const ChainStage& one) {
+      return one.seconds + millions * one.seconds_per_million;
+    };
+    double all = secondsOf(stage);
+    const auto place = &stage - run_stages_.data();
+    for (auto later = run_stages_.begin() + place + 1; later != run_stages_.end();
+         ++later)
+      all += applies(*later) ? secondsOf(*later) : 0;
+    share = all > 0 ? secondsOf(stage) / all : 1;
+  }
+  return progress_before_ + (1 - progress_before_) * share;
+}
+
 StageKey
 Chain::keyOf(const ChainStage& stage) const
 {
@@ -157,9 +199,7 @@ Chain::runStage(const ChainStage& stage, OpenStage& open)
 {
   state_.stage = Report();
   running_ = stage.name;
-  const double begin = first_ ? share_of_first : 0;
-  const double end =
-      first_ && stage.name == first_->name ? begin : begin + (1 - begin) * stage.end;
+  const double end = endOf(stage);
   const StageRun run = {threads_,
                         partOf(progress_, progress_before_, end),
                         cost_,
@@ -249,7 +289,13 @@ Chain::run(const std::string& last)
 {
   begin();
   checkPoses();
-  const std::vector<ChainStage> stages = allStages();
+  run_stages_ = allStages();
+  if (const auto end =
+          std::find_if(run_stages_.begin(),
+                       run_stages_.end(),
+                       [&](const ChainStage& stage) { return stage.name == last; });
+      end != run_stages_.end())
+    run_stages_.erase(end + 1, run_stages_.end());
   std::vector<const ChainStage*> passing; // until a stage behind them must run
   bool has_run = false;
   const auto run_passing = [&] {
@@ -257,23 +303,25 @@ Chain::run(const std::string& last)
       runPassing(*stage);
     passing.clear();
   };
-  for (const ChainStage& stage : stages) {
-    const bool is_last = stage.name == last || &stage == &stages.back();
-    if (applies(stage) && !stage.is_kept)
+  for (const ChainStage& stage : run_stages_) {
+    if (!applies(stage))
+      continue;
+    if (!stage.is_kept) {
       passing.push_back(&stage);
-    else if (applies(stage)) {
-      const StageKey key = keyOf(stage);
-      if (!has_run && takeOver(stage, key))
-        passing.clear();
-      else {
-        run_passing();
-        runKept(stage, key);
-        has_run = true;
-      }
-      key_before_ = key.fingerprint();
+      continue;
     }
-    if (is_last)
-      break;
+    const StageKey key = keyOf(stage);
+    const double end = endOf(stage);
+    if (!has_run && takeOver(stage, key)) {
+      passing.clear();
+      progress_before_ = end;
+    }
+    else {
+      run_passing();
+      runKept(stage, key);
+      has_run = true;
+    }
+    key_before_ = key.fingerprint();
   }
   run_passing();
   if (scratch_ && scratch_->getRefused() > 0)

@@ -1,6 +1,6 @@
 #include "chain/chain_stages.h"
-#include "part_of_progress.h"
 
+#include <pcl/core/impl/part_of_progress.h>
 #include <pcl/pipeline/pose_errors.h>
 #include <pcl/pipeline/ranked_work.h>
 #include <pcl/pipeline/sequence_adjustment.h>
@@ -18,11 +18,6 @@ namespace pcl::acmap {
 namespace {
 
 constexpr const char* before_name = "trajectory_before.txt";
-
-/** Fractions of the progress at the end of each stage. */
-constexpr double odometry_end = 0.2, extension_end = 0.22, rectification_end = 0.45,
-                 adjustment_end = 0.5, merging_end = 0.6, planes_end = 0.8,
-                 texture_end = 0.95;
 
 void
 setPoses(ChainState& state, EstimatedPoses poses)
@@ -454,7 +449,7 @@ chainStages()
         takeNoise(state, settings);
         takeConsolidated(state, settings);
       };
-  odometry.end = odometry_end;
+  odometry.seconds_per_million = 0.6;
 
   ChainStage extension;
   extension.name = "extension";
@@ -473,7 +468,8 @@ chainStages()
         setPoses(state, store.poses("extension"));
         takeNoise(state, settings);
       };
-  extension.end = extension_end;
+  extension.seconds = 0.5;
+  extension.seconds_per_million = 0.5;
 
   ChainStage rectification;
   rectification.name = "rectification";
@@ -495,7 +491,8 @@ chainStages()
         setPoses(state, store.poses("rectification"));
         state.before = loadTrajectory(store.path("rectification", before_name));
       };
-  rectification.end = rectification_end;
+  rectification.seconds = 0.5;
+  rectification.seconds_per_million = 0.4;
 
   ChainStage adjustment;
   adjustment.name = "adjustment";
@@ -510,7 +507,8 @@ chainStages()
       [](ChainState& state, const ChainSettings&, const StageStore& store) {
         setPoses(state, store.poses("adjustment"));
       };
-  adjustment.end = adjustment_end;
+  adjustment.seconds = 0.5;
+  adjustment.seconds_per_million = 1.3;
 
   ChainStage merging;
   merging.name = "merging";
@@ -519,19 +517,21 @@ chainStages()
     return state.observations.has_value();
   };
   merging.run = runMerging;
-  merging.end = merging_end;
+  merging.seconds_per_million = 0.08;
 
   ChainStage planes;
   planes.name = "planes";
   planes.is_kept = false;
   planes.run = runPlanes;
-  planes.end = planes_end;
+  planes.seconds = 4;
+  planes.seconds_per_million = 1.6;
 
   ChainStage texture;
   texture.name = "texture";
   texture.is_kept = false;
   texture.run = runTexturing;
-  texture.end = texture_end;
+  texture.seconds = 1.5;
+  texture.seconds_per_million = 0.8;
 
   return {odometry, extension, rectification, adjustment, merging, planes, texture};
 }
@@ -552,7 +552,8 @@ cloudStage(Chain::CloudLoader load)
     state.cloud = load();
     timer.finish("read");
   };
-  stage.end = 0.1;
+  stage.seconds = 0.1;
+  stage.seconds_per_million = 0.1;
   return stage;
 }
 

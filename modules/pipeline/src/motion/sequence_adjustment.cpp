@@ -1,7 +1,7 @@
 #include "observations/locked_reader.h"
-#include "part_of_progress.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/part_of_progress.h>
 #include <pcl/egomotion/revisit_detection.h>
 #include <pcl/mapping/plane_adjustment.h>
 #include <pcl/pipeline/sequence_adjustment.h>

@@ -1,4 +1,4 @@
-#include "part_of_progress.h"
+
 #include "planes/replaced_planes.h"
 
 #include <pcl/core/cloud_assessment.h>
@@ -10,6 +10,7 @@
 #include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/impl/mesh_input.h>
 #include <pcl/core/impl/observation_gap.h>
+#include <pcl/core/impl/part_of_progress.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/impl/up_direction.h>
 #include <pcl/core/impl/zero_points.h>
@@ -203,7 +204,7 @@ public:
     assessPicture();
     PlaneMapping::DepthSegmentation segmentation = mapping_.getDepthSegmentation();
     segmentation.setInputCloud(picture.points);
-    prepare(segmentation, 0, 0.4);
+    prepare(segmentation, 0, 0.15);
     segmentation.segment(result.planes);
     report_.depth_planes = segmentation.getReport();
     addRemarks(*report_.depth_planes);
@@ -272,7 +273,7 @@ private:
     assessment.setViewpoints(viewpoints);
     if (const auto& up = mapping_.getUpDirection())
       assessment.setUpDirection(*up);
-    prepare(assessment, 0, 0);
+    prepare(assessment, 0, 0.08);
     assessment.compute();
     report_.assessment = assessment.getReport();
     measured_scale_ = assessment.getNoiseScale();
@@ -316,12 +317,23 @@ private:
     returnFreeMemory();
   }
 
+  /** Cylinders take half of the time, where they are looked for. */
+  double
+  timeScale() const
+  {
+    return mapping_.getComputeCylinders() ? 1 : 2;
+  }
+
+  /** \param[in] from, to fractions of the time of all steps, where cylinders are looked for */
   template <typename Step>
   void
   prepare(Step& step, double from, double to)
   {
+    const auto scaled = [&](double fraction) {
+      return std::min(1.0, timeScale() * fraction);
+    };
     step.setNumberOfThreads(mapping_.getNumberOfThreads());
-    step.setProgressCallback(partOf(progress_, from, to));
+    step.setProgressCallback(partOf(progress_, scaled(from), scaled(to)));
   }
 
   void
@@ -368,7 +380,7 @@ private:
       const auto known =
           sensors.empty() ? std::nullopt : std::make_optional(sensors.front());
       const Progress progress(progress_);
-      progress.tell(0, "noise scale");
+      progress.tell(0.08 * timeScale(), "noise scale");
       report_.noise_scale = measured_scale_
                                 ? *measured_scale_
                                 : measureNoiseScale(requirePoints(rows_),
@@ -391,7 +403,7 @@ private:
     else if (!sensors.empty())
       consolidation.setSensorOrigin(sensors.front());
     consolidation.setKeepSources(!mapping_.getClustering().getNoiseDriven());
-    prepare(consolidation, 0, 0.3);
+    prepare(consolidation, 0.1, 0.2);
     consolidation.filter(result.vertices);
     report_.consolidation = consolidation.getReport();
     report_.consolidated_points = report_.consolidation->representatives;
@@ -411,7 +423,7 @@ private:
     refinement.setInputCloud(
         order ? std::make_shared<const PCLPointCloud2>(order->arrange(*cloud)) : cloud);
     refinement.setPlanes(result.planes, labels);
-    prepare(refinement, 0.4, 0.5);
+    prepare(refinement, 0.15, 0.2);
     const PCLPointCloud2::Ptr refined(new PCLPointCloud2);
     refinement.filter(*refined);
     result.vertices = CloudRows(refined);
@@ -491,7 +503,7 @@ private:
         !(takes_scan && isConsolidatedScan()))
       dewall.setMaximumEdgeLength(mesh_edge_in_voxels *
                                   report_.consolidation->voxel_size);
-    prepare(dewall, 0.3, 0.6);
+    prepare(dewall, 0.2, 0.32);
     dewall.reconstruct(result.mesh);
     report_.mesh = dewall.getReport();
     result.spacing = report_.mesh->median_spacing;
@@ -510,7 +522,7 @@ private:
     voting.setViewpoints(std::move(viewpoints));
     if (origin)
       voting.setSensorOrigin(*origin);
-    prepare(voting, 0.6, 0.75);
+    prepare(voting, 0.32, 0.37);
     voting.compute(result.normals);
     report_.votes = voting.getReport();
     if (result.spacing == 0)
@@ -532,7 +544,7 @@ private:
       clustering.setSourceCloud(source, sensors);
     if (cost_)
       cost_("clustering the planes", 0, clustering.estimateSeconds());
-    prepare(clustering, 0.75, mapping_.getComputeCylinders() ? 0.9 : 1);
+    prepare(clustering, 0.37, 0.5);
     clustering.segment(result.planes);
     report_.planes = clustering.getReport();
     addRemarks(*report_.planes);
@@ -561,7 +573,7 @@ private:
       clustering.setSourceCloud(source, sensors);
     if (source && !sensors.empty() && isInMetres(report_.noise_scale))
       clustering.setSourceScale(*report_.noise_scale);
-    prepare(clustering, 0.9, 1);
+    prepare(clustering, 0.5, 1);
     clustering.segment(result.cylinders);
     report_.cylinders = clustering.getReport();
     result.vertex_cylinders = clustering.getLabels();

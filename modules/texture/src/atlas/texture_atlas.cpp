@@ -4,6 +4,7 @@
 #include "atlas/rectangle_packing.h"
 
 #include <pcl/core/impl/map_pictures.h>
+#include <pcl/core/progress.h>
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -131,8 +132,10 @@ packedPictures(const CompactMap& map,
     pictures.own[i] = pictureOf(*chart, coverOf(surface, chart->colors), settings);
   };
   for (std::int32_t min_halvings = 0;; ++min_halvings) {
-    oneapi::tbb::parallel_for(
-        std::size_t{0}, surfaces.size(), [&](std::size_t i) { draw(i, min_halvings); });
+    oneapi::tbb::parallel_for(std::size_t{0}, surfaces.size(), [&](std::size_t i) {
+      pollRun();
+      draw(i, min_halvings);
+    });
     pack(pictures, limits.longest_page);
     if (pictures.packing.pages.size() <= limits.maximum_pages)
       return pictures;

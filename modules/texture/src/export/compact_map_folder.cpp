@@ -10,6 +10,7 @@
 #include <pcl/core/map_up.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/output_folder.h>
+#include <pcl/core/progress.h>
 
 #include <optional>
 #include <tuple>
@@ -185,6 +186,7 @@ private:
   std::string
   place(const std::string& name)
   {
+    acmap::pollRun();
     names_.push_back(name);
     return folder_.path(name);
   }

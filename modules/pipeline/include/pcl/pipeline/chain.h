@@ -121,7 +121,9 @@ struct ChainStage {
   /** \brief Takes what \ref run has put in an earlier run. */
   std::function<void(ChainState&, const ChainSettings&, const StageStore&)> take;
   std::string result_folder; ///< of its files; empty: its own folder in the store
-  double end = 1;            ///< fraction of the progress of the chain at its end
+  /** \brief Seconds that it takes on two processors of today, and more of them for each
+   * million points: weights of the stages in the progress of the chain. */
+  double seconds = 0, seconds_per_million = 0;
 };
 
 /** \brief A stage of the last run. */
@@ -300,6 +302,10 @@ private:
   bool
   applies(const ChainStage& stage) const;
 
+  /** \brief Fraction of the progress at the end of a stage of \ref run_stages_, which begins now. */
+  double
+  endOf(const ChainStage& stage) const;
+
   StageKey
   keyOf(const ChainStage& stage) const;
 
@@ -335,6 +341,7 @@ private:
   std::size_t scratch_resident_ = 0, scratch_limit_ = 0;
   std::shared_ptr<ScratchMemory> scratch_; ///< while a run lasts
 
+  std::vector<ChainStage> run_stages_; ///< of the last run
   ChainState state_;
   std::vector<DoneStage> done_;
   std::string running_;
