@@ -76,11 +76,17 @@ run(Tool& tool, const ChainOptions& options)
   OutputFolder folder(options.output);
 
   const auto values = [&](const std::string& group) { return valuesIn(tool, group); };
+  tool.setRunKind(std::string(nameOf(input.start)) +
+                  (options.planes.paper ? ", paper" : "") +
+                  (pictures.canBeDrawn() ? ", pictures" : ""));
   MapRun made(options, values, tool.controls(), pictures, folder, tool.log());
   if (options.as_recorded)
     made.replay();
   else
     made.run(input);
+  for (const RunStage& stage : made.stages())
+    if (stage.is_reused)
+      tool.forgetTime();
   const StageLog& told = made.stages().back().told;
   std::optional<pcl::MapFigures> figures;
   if (truth)
@@ -162,6 +168,7 @@ main(int argc, char** argv)
         "--memory-limit",
         "--report",
         "--quiet",
+        "--verbose",
         "--help",
         "--version"}});
   if (ranks.get())

@@ -9,6 +9,7 @@
 
 #include <pcl/core/cloud_assessment.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/part_of_progress.h>
 #include <pcl/core/impl/up_direction.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/noise_scale.h>
@@ -27,6 +28,9 @@
 namespace {
 
 using namespace pcl::acmap;
+
+/** Fraction of the progress where the mesh begins. */
+constexpr double meshing = 0.4;
 
 struct Options {
   std::string input;
@@ -190,7 +194,7 @@ triangulate(pcl::DeWallTriangulation<pcl::PCLPointCloud2>& dewall,
   if (input.up)
     dewall.setUpDirection(*input.up);
   dewall.setNumberOfThreads(controls.threads);
-  dewall.setProgressCallback(controls.progress);
+  dewall.setProgressCallback(partOf(controls.progress, meshing, 1));
   dewall.reconstruct(mesh);
   return dewall.getReport();
 }
@@ -242,7 +246,7 @@ consolidate(const Options& options,
   if (const double voxel_size = consolidation.getVoxelSize(); voxel_size > 0)
     requireFineLength("--consolidate", voxel_size, input.points(), log);
   consolidation.setNumberOfThreads(controls.threads);
-  consolidation.setProgressCallback(controls.progress);
+  consolidation.setProgressCallback(partOf(controls.progress, 0.1, meshing));
   consolidation.setInputCloud(input.rows);
   consolidation.filter(input.rows);
   const pcl::ConsolidationReport& report = consolidation.getReport();
@@ -261,7 +265,7 @@ refine(const Picture& picture, Input& input, const RunControls& controls, StageL
     *cloud = picture.order->arrange(*cloud);
   pcl::DepthRefinement<pcl::PCLPointCloud2> refinement;
   refinement.setNumberOfThreads(controls.threads);
-  refinement.setProgressCallback(controls.progress);
+  refinement.setProgressCallback(partOf(controls.progress, 0.1, meshing));
   refinement.setInputCloud(cloud);
   const auto refined = std::make_shared<pcl::PCLPointCloud2>();
   refinement.filter(*refined);

@@ -5,6 +5,7 @@
 #include "tool.h"
 
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/part_of_progress.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/pipeline/observation_files.h>
@@ -27,6 +28,9 @@
 namespace pcl::acmap {
 
 namespace {
+
+/** Fraction of the progress after which the poses are checked. */
+constexpr double checked = 0.2;
 
 /** \brief Options of the user. */
 struct ImportOptions : RgbdOptions {
@@ -181,8 +185,8 @@ importFrames(const ImportOptions& options,
   };
   const std::size_t count =
       (sequence.frames.size() + options.every - 1) / options.every;
-  import.trajectory =
-      writeObservations(folder, count, convert, {controls.progress, "importing"});
+  import.trajectory = writeObservations(
+      folder, count, convert, {partOf(controls.progress, checked, 1), "importing"});
 }
 
 void
@@ -336,7 +340,7 @@ readPoses(const ImportOptions& options,
     return {};
   PoseConventionCheck check = options.poses;
   check.setNumberOfThreads(controls.threads);
-  check.setProgressCallback(controls.progress);
+  check.setProgressCallback(partOf(controls.progress, 0, checked));
   check.compute(ObservationSequence(posed, cameras, controls.threads));
   const PoseReading& stated = check.getReport().stated;
   for (RgbdFrame* const frame : read)

@@ -96,6 +96,7 @@ public:
     pollfd news = {said_, POLLIN, 0};
     while (true) {
       stopIfInterrupted();
+      pollRun();
       if (poll(&news, 1, between_looks) <= 0)
         continue;
       const ssize_t size = read(said_, part.data(), part.size());

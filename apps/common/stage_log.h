@@ -49,9 +49,11 @@ struct StageLog {
 struct RunControls {
   unsigned threads = 0;    ///< 0: all cores
   PointCloudReader reader; ///< with what is stated of the input
-  /** \brief Draws the progress bar; stops the run after an interruption. A bar begins
-   * anew when the fraction falls. */
+  /** \brief Draws the progress bar; stops the run after an interruption. */
   ProgressCallback progress;
+  /** \brief Prints a stage that is finished, with the seconds since the one before, on a
+   * terminal. */
+  std::function<void(const std::string& stage)> finished;
   bool is_quiet = false; ///< only errors are printed
   /** \brief Prints a warning immediately, for example that the work will take long. It
    * is not in the report. */

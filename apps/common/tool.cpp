@@ -4,7 +4,9 @@
 #include "input_kind.h"
 #include "memory.h"
 #include "output_target.h"
+#include "run_memory.h"
 #include "setter_option.h"
+#include "terminal_style.h"
 
 #include <pcl/console/print.h>
 #include <pcl/core/build_config.h>
@@ -16,8 +18,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
@@ -35,51 +35,6 @@ void
 noteInterruption(int)
 {
   interruption_noted = 1;
-}
-
-/** \brief One line on stderr with the progress and the remaining time. */
-class ProgressBar {
-public:
-  ProgressBar() = default;
-  ProgressBar(const ProgressBar&) = delete;
-  ProgressBar&
-  operator=(const ProgressBar&) = delete;
-
-  /** \brief Clears the line. */
-  ~ProgressBar()
-  {
-    if (shown_)
-      std::fputs("\r\x1b[K", stderr);
-  }
-
-  void
-  show(double fraction, const std::string& step)
-  {
-    constexpr double seconds_between = 0.1;
-    const auto now = Clock::now();
-    if (std::chrono::duration<double>(now - last_).count() < seconds_between)
-      return;
-    last_ = now;
-    shown_ = true;
-    const double elapsed = std::chrono::duration<double>(now - begin_).count();
-    std::fprintf(stderr, "\r%s\x1b[K", progressLine(fraction, step, elapsed).c_str());
-  }
-
-private:
-  using Clock = std::chrono::steady_clock;
-
-  bool shown_ = false;
-  const Clock::time_point begin_ = Clock::now();
-  Clock::time_point last_ = begin_;
-};
-
-std::string
-timeText(double seconds)
-{
-  const long whole = std::lround(seconds);
-  return whole < 60
-             ? std::to_string(whole) + " s"
-             : std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
 }
 
 /** \brief Number of bytes of the UTF-8 character that begins at an index; 0 if it is
@@ -123,18 +78,20 @@ helpTopicIn(const std::vector<std::string>& arguments)
 }
 
 std::string
-summaryLine(const std::string& name, const std::string& value)
+summaryLine(const std::string& name,
+            const std::string& value,
+            const TerminalStyle& style)
 {
   constexpr std::size_t name_width = 12;
-  return name + ":" +
-         std::string(name_width - std::min(name.size(), name_width - 1), ' ') + value +
-         "\n";
+  return style.name(name + ":") +
+         std::string(name_width - std::min(name.size(), name_width - 1), ' ') + value;
 }
 
 } // namespace
 
 Tool::Tool(std::string name, const std::string& purpose)
 : name_(std::move(name))
+, kind_(name_)
 , app_(std::make_unique<CLI::App>(purpose, name_))
 {
   app_->option_defaults()->always_capture_default();
@@ -226,6 +183,9 @@ Tool::run(int argc, const char* const* argv, const std::function<void()>& work)
     limitMemory(memory_limit_, threads_);
     work();
     writeReport();
+    bar_->stop();
+    if (remembers_time_)
+      rememberRun(kind_, bar_->times());
     flushSummary();
     if (log_.contradiction.empty())
       return exit_done;
@@ -235,6 +195,7 @@ Tool::run(int argc, const char* const* argv, const std::function<void()>& work)
   }
   catch (...) {
     Failure failure = failureOf(std::current_exception());
+    bar_->stop();
     // warnings about the input often explain the failure
     if (failure.code == exit_memory)
       for (const std::string& remark : log_.report.remarks)
@@ -244,7 +205,7 @@ Tool::run(int argc, const char* const* argv, const std::function<void()>& work)
     if (failure.code == exit_usage || failure.code == exit_input)
       if (const std::string advice = otherDoor(); !advice.empty())
         failure.line += "; " + advice;
-    complain(failure.line);
+    complain(printable(failure.line));
     return failure.code;
   }
 }
@@ -311,52 +272,35 @@ Tool::requireReportWritable(const std::vector<std::string>& others) const
 RunControls
 Tool::controls()
 {
-  const bool draws = !quiet_ && isatty(STDERR_FILENO);
-  const auto progress = [draws,
-                         silence = silence_,
-                         bar = std::shared_ptr<ProgressBar>(),
-                         last = 2.0](double fraction, const std::string& step) mutable {
-    silence->end(step);
-    if (draws && fraction < last) {
-      bar.reset(); // clears the line of the one before
-      bar = std::make_shared<ProgressBar>();
-    }
-    if (draws)
-      bar->show(fraction, step);
-    last = fraction;
+  const bool draws = !quiet_ && !is_silent_ && isatty(STDERR_FILENO);
+  RunControls controls;
+  controls.threads = threads_;
+  controls.reader = reader_;
+  controls.is_quiet = quiet_;
+  controls.progress = [this, draws, bar = bar_](double fraction,
+                                                const std::string& step) {
+    bar->tell(fraction, printable(step));
+    if (draws && !bar->isDrawn())
+      bar->draw(recallRun(kind_));
     return !interrupted();
   };
-  return {threads_, reader_, progress, quiet_, [this](const std::string& remark) {
-            warnAtOnce(remark);
-          }};
+  controls.finished =
+      [draws, bar = bar_, before = bar_->elapsed()](const std::string& stage) mutable {
+        const double now = bar->elapsed();
+        if (draws)
+          bar->print(summaryLine(
+              stage, shortNumber(now - before) + " s", TerminalStyle(STDERR_FILENO)));
+        before = now;
+      };
+  controls.warn_at_once = [this](const std::string& remark) { warnAtOnce(remark); };
+  return controls;
 }
 
 void
 Tool::warnAtOnce(const std::string& remark) const
 {
   if (!quiet_)
-    complain("warning: " + remark);
-}
-
-void
-Silence::end(const std::string& step)
-{
-  const Clock::time_point now = Clock::now();
-  const double seconds = std::chrono::duration<double>(now - begin_).count();
-  if (seconds > longest_) {
-    longest_ = seconds;
-    longest_step_ = step_;
-  }
-  begin_ = now;
-  step_ = step;
-}
-
-nlohmann::ordered_json
-Silence::longest() const
-{
-  Silence until_now = *this;
-  until_now.end({});
-  return {{"seconds", until_now.longest_}, {"step", until_now.longest_step_}};
+    complain(TerminalStyle(STDERR_FILENO).warning("warning: ") + printable(remark));
 }
 
 nlohmann::ordered_json
@@ -369,7 +313,7 @@ Tool::fullReport() const
   json.update(log_.details);
   if (!log_.report.seconds.empty())
     json["seconds"] = secondsOf(log_.report);
-  json["seconds_without_progress"] = silence_->longest();
+  json["seconds_without_progress"] = bar_->longestSilence();
   json["peak_memory_bytes"] = peakMemory();
   json["remarks"] = log_.report.remarks;
   return json;
@@ -388,10 +332,12 @@ Tool::flushSummary() const
   if (quiet_)
     return;
   for (const std::string& remark : log_.report.remarks)
-    complain("warning: " + remark);
+    warnAtOnce(remark);
+  const TerminalStyle style(STDOUT_FILENO);
   std::string summary;
   for (const auto& [name, value] : log_.lines)
-    summary += summaryLine(name, value);
+    summary +=
+        summaryLine(name, name == "open" ? style.link(value) : value, style) + "\n";
   print(summary);
 }
 
@@ -410,7 +356,7 @@ void
 Tool::complain(const std::string& line) const
 {
   if (!is_silent_)
-    std::cerr << name_ + ": " + printable(line) + "\n";
+    bar_->print(name_ + ": " + line);
 }
 
 void
@@ -457,21 +403,6 @@ stopIfInterrupted()
 {
   if (interrupted())
     throw CancelledException("interrupted");
-}
-
-std::string
-progressLine(double fraction, const std::string& step, double elapsed)
-{
-  constexpr int bar_width = 30;
-  constexpr double min_fraction_for_guess = 0.02;
-  fraction = std::clamp(fraction, 0.0, 1.0);
-  const auto filled = static_cast<std::size_t>(std::floor(fraction * bar_width));
-  std::string line = "[" + std::string(filled, '#') +
-                     std::string(bar_width - filled, '.') + "] " +
-                     std::to_string(std::lround(fraction * 100)) + " % " + step;
-  if (fraction >= min_fraction_for_guess)
-    line += ", " + timeText(elapsed / fraction * (1 - fraction)) + " left";
-  return line;
 }
 
 std::string

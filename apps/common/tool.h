@@ -3,14 +3,13 @@
 #include "contradicted_output.h"
 #include "exit_code.h"
 #include "help_text.h"
+#include "progress_bar.h"
 #include "stage_log.h"
 
-#include <pcl/core/progress.h>
 #include <pcl/pipeline/depth_sensor.h>
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -18,26 +17,6 @@
 #include <vector>
 
 namespace pcl::acmap {
-
-/** \brief The longest time for which a tool told no progress. */
-class Silence {
-public:
-  /** \brief Progress was told. */
-  void
-  end(const std::string& step);
-
-  /** \brief Seconds, and the step that was told before, as JSON. */
-  nlohmann::ordered_json
-  longest() const;
-
-private:
-  using Clock = std::chrono::steady_clock;
-
-  Clock::time_point begin_ = Clock::now();
-  std::string step_ = "start";
-  double longest_ = 0; ///< seconds
-  std::string longest_step_ = step_;
-};
 
 /** \brief Common base of all tools: common options, exit codes, one-line error
  * messages, progress, warnings, the summary on stdout and the report as JSON.
@@ -122,8 +101,23 @@ public:
       report_path_ = path + "/report.json";
   }
 
-  /** \brief Options of the run that all tools share. Its callback draws one progress bar
-   * at a time and reports interruptions. */
+  /** \brief Names what runs that take about the same time for the same input share, beside the
+   * tool: the time that is left is estimated by the last one of them. */
+  void
+  setRunKind(const std::string& kind)
+  {
+    kind_ = name_ + ": " + kind;
+  }
+
+  /** \brief Is this run no example for later ones, since parts of it were done before? */
+  void
+  forgetTime()
+  {
+    remembers_time_ = false;
+  }
+
+  /** \brief Options of the run that all tools share. Its callback draws the one progress bar of
+   * the run and reports interruptions. */
   RunControls
   controls();
 
@@ -165,6 +159,8 @@ private:
   complain(const std::string& line) const;
 
   std::string name_;
+  std::string kind_; ///< of the run
+  bool remembers_time_ = true;
   std::unique_ptr<CLI::App> app_;
   HelpText help_;
   unsigned threads_ = 0;
@@ -178,7 +174,7 @@ private:
   std::vector<std::string> command_line_;
   void (*pipe_action_)(int) = nullptr; // original action of SIGPIPE
   StageLog log_;
-  std::shared_ptr<Silence> silence_ = std::make_shared<Silence>();
+  std::shared_ptr<ProgressBar> bar_ = std::make_shared<ProgressBar>();
 };
 
 /** \brief From now on, the first interruption (SIGINT, SIGTERM, SIGHUP) is only
@@ -207,13 +203,6 @@ inline constexpr const char* needs_picture =
     "--sensor quantised and stereo are for one organized view in its sensor's frame, z "
     "forward, with at least 1000 points, or for what is left of one without its NaN "
     "pixels; leave --sensor out for this cloud";
-
-/** \brief The text of a progress bar, without line ends.
- * \param[in] fraction of the work that is done
- * \param[in] step name of the current step
- * \param[in] elapsed seconds since the start */
-std::string
-progressLine(double fraction, const std::string& step, double elapsed);
 
 /** \brief Replaces control characters and invalid UTF-8 by question marks, so that a
  * text can be printed on a terminal. Messages quote files, which may contain

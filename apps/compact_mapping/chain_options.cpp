@@ -183,6 +183,7 @@ addOptions(Tool& tool, ChainOptions& options)
                  options.truth,
                  "Simulated session: tell how far the map is from its truth")
       ->type_name("SESSION_DIR");
+  app.add_flag("--verbose", options.verbose, "Tell all that the stages report");
   app.add_flag("--paper",
                options.planes.paper,
                "All stages as the paper has them, with nothing added: median of the "

@@ -33,6 +33,7 @@ struct ChainOptions {
   std::string earlier; ///< folder of a map that is extended; empty: none
   std::string truth;   ///< simulated session to compare with; empty: none
   bool has_pictures = true;
+  bool verbose = false; ///< all lines of all stages are told
   /** \brief Endings of those of map.html, map.ifc and the floor plans that are written. */
   std::vector<std::string> formats = formatsByDefault();
   bool rectifies = true;

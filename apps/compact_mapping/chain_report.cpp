@@ -1,8 +1,11 @@
 #include "chain_report.h"
 
+#include "compact_mapping/closing_lines.h"
 #include "compact_mapping/map_stage.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -54,26 +57,45 @@ inOneLine(const std::vector<std::string>& names)
   return line;
 }
 
-/** \brief Is a line of a step's summary left out of the overall summary? The folders
- * belong to the chain, and there is one line for the seconds of all steps. */
+/** \brief Lines of the stages that are told without --verbose, too: what was found out or assumed of
+ * the input, and what became of the poses. */
+constexpr std::string_view always_told[] = {
+    "undetermined", "read",         "columns",  "coordinates", "layout", "intrinsics",
+    "depth scale",  "median depth", "left out", "matched",     "up",     "sensor",
+    "noise",        "posed",        "joined",   "rectified",   "kept",   "verdict",
+    "error left",   "recorded",     "tilted"};
+
+/** \brief Is a line of a step's summary told? The folders belong to the chain, and there is one
+ * line for the seconds of all steps. */
 bool
-isForChain(const std::string& line)
+isForChain(const std::string& line, bool verbose)
 {
-  return line != "seconds" && line != "folder";
+  const auto is = [&](std::string_view name) { return line == name; };
+  return line != "seconds" && line != "folder" &&
+         (verbose || std::any_of(std::begin(always_told), std::end(always_told), is));
+}
+
+/** \brief Tells the lines of a stage: with --verbose all of them, under its name. */
+void
+tellLines(const RunStage& stage, bool verbose, StageLog& log)
+{
+  const std::string indent = verbose ? "  " : "";
+  if (verbose)
+    log.tell(stage.name,
+             stage.is_reused ? "as it was finished before"
+                             : shortNumber(totalSeconds(stage.told)) + " s");
+  for (const auto& [name, value] : stage.told.lines)
+    if (isForChain(name, verbose))
+      log.tell(indent + name, value);
+  if (!stage.removed.empty())
+    log.tell(indent + "removed", inOneLine(stage.removed) + " of the result before");
 }
 
 void
-tellStage(const RunStage& stage, StageLog& log)
+tellStage(const RunStage& stage, bool verbose, StageLog& log)
 {
   const StageLog& told = stage.told;
-  log.tell(stage.name,
-           stage.is_reused ? "as it was finished before"
-                           : shortNumber(totalSeconds(told)) + " s");
-  for (const auto& [name, value] : told.lines)
-    if (isForChain(name))
-      log.tell("  " + name, value);
-  if (!stage.removed.empty())
-    log.tell("  removed", inOneLine(stage.removed) + " of the result before");
+  tellLines(stage, verbose, log);
   log.warn(told.report.remarks);
   if (log.contradiction.empty())
     log.contradiction = told.contradiction;
@@ -115,7 +137,7 @@ tellChain(const ChainOptions& options,
       details[name] = map.at(name).size();
   details["stages"] = Json::array();
   for (const RunStage& stage : stages) {
-    tellStage(stage, log);
+    tellStage(stage, options.verbose, log);
     details["stages"].push_back(jsonOf(stage));
   }
   if (figures) {
@@ -125,8 +147,14 @@ tellChain(const ChainOptions& options,
   }
   details["pictures"] =
       picturesIn(options.output, map.value("tilt_deg", 0.0), options.planes.paper);
+  for (const auto& [name, value] : closingLines(details, options.output))
+    log.tell(name, value);
+  for (const auto& [name, value] : stages.back().told.lines)
+    if (name == "compactness")
+      log.tell(name, value);
   log.tellSeconds();
-  log.tell("folder", options.output);
+  if (options.verbose)
+    log.tell("folder", options.output);
   if (!log.contradiction.empty())
     return;
   std::error_code error;

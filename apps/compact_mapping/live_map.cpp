@@ -7,6 +7,7 @@
 #include "memory.h"
 #include "pose_options.h"
 
+#include <pcl/core/impl/part_of_progress.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_list.h>
 
@@ -167,7 +168,7 @@ LiveMap::finish(const PicturesApart& pictures,
   mapping_.setCostCallback(costCheck(controls));
   mapping_.setProgressCallback([&](double done, const std::string& step) {
     show();
-    return !controls.progress || controls.progress(0.5 + done / 2, step);
+    return !controls.progress || controls.progress(0.5 + 0.45 * done, step);
   });
   CompactMap map;
   try {
@@ -193,8 +194,8 @@ LiveMap::finish(const PicturesApart& pictures,
   if (const Trajectory& before = mapping_.getOdometryTrajectory();
       !before.poses.empty())
     saveTrajectory(folder.path("trajectory_before.txt"), before);
-  std::vector<std::string> names =
-      writeMap(options_, found, map, pictures, folder, log);
+  std::vector<std::string> names = writeMap(
+      options_, found, map, pictures, partOf(controls.progress, 0.95, 1), folder, log);
   keep();
   const double after = secondsSince(last_shot);
   const bool is_drawn =

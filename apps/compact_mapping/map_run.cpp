@@ -181,6 +181,7 @@ MapRun::observationStage(const MapInput& input)
   const std::string folder = chain_.getStore().path(first_stage);
   ChainStage stage;
   stage.name = first_stage;
+  stage.seconds_per_million = 0.6;
   stage.take = [this, input, folder, is_session](
                    ChainState& state, const ChainSettings&, const StageStore&) {
     const double scale = is_session ? 1 : controls_.reader.getScale();
@@ -267,9 +268,11 @@ MapRun::mapStage(bool has_pictures, bool is_cloud)
     key.add("options", textOf(values));
     key.add("pictures", has_pictures ? "yes" : "no");
   };
+  stage.seconds = has_pictures ? 4.5 : 1.5;
+  stage.seconds_per_million = 0.1;
   stage.run = [this](ChainState& state,
                      const ChainSettings&,
-                     const StageRun&,
+                     const StageRun& run,
                      OpenStage& open) {
     stopIfInterrupted();
     if (state.observations) {
@@ -281,8 +284,13 @@ MapRun::mapStage(bool has_pictures, bool is_cloud)
     if (!state.before.poses.empty())
       takeAlong(chain_.getStore(), state.before, folder_);
     try {
-      open.setResults(
-          writeMap(options_, state.planes, state.map, pictures_, folder_, map_log_));
+      open.setResults(writeMap(options_,
+                               state.planes,
+                               state.map,
+                               pictures_,
+                               run.progress,
+                               folder_,
+                               map_log_));
     }
     catch (const InterruptedPartway&) {
       open.keepParts();
@@ -295,6 +303,7 @@ MapRun::mapStage(bool has_pictures, bool is_cloud)
 std::string
 MapRun::tell(const std::string& stage, const ChainState& state, OpenStage& open)
 {
+  controls_.finished(stage);
   StageLog log;
   if (stage == first_stage)
     log = std::move(first_log_);

@@ -154,6 +154,12 @@ tellRooms(const CompactMap& map, StageLog& log)
   if (map.rooms.size() > max_told)
     log.tell("rooms", std::to_string(map.rooms.size()) + ", all in report.json");
   log.details["rooms"] = std::move(list);
+  for (const MapOpening& opening : map.openings) {
+    nlohmann::ordered_json& count =
+        log.details["openings"]
+                   [opening_kind_names[static_cast<std::size_t>(opening.kind)]];
+    count = count.is_null() ? 1 : count.get<int>() + 1;
+  }
 }
 
 /** \brief The same for the cylinders. */
@@ -270,21 +276,29 @@ writeMap(const ChainOptions& options,
          const MappedPlanes& found,
          CompactMap& map,
          const PicturesApart& pictures,
+         const ProgressCallback& callback,
          OutputFolder& folder,
          StageLog& log)
 {
+  const double written = pictures.canBeDrawn() ? 0.4 : 1; // fraction of the progress
+  const Progress progress(callback);
+  progress.tell(0, "writing the map");
   StepTimer timer(log.report);
   const FloorPlan plan = makeFloorPlan(map);
   if (!hasMapPage() && options.formats == formatsByDefault())
     log.warn("no map.html: this acmap was built without its modules");
   saveCompactMap(folder.path(""), map, options.texture.outputs);
-  for (const std::string& format : options.formats)
+  double done = 0.4;
+  for (const std::string& format : options.formats) {
+    progress.tell(written * done, "writing " + format);
+    done += 0.6 / static_cast<double>(options.formats.size());
     if (format == "html")
       saveMapPage(folder.path("map.html"), folder.path(""), posesBefore(folder));
     else if (format == "ifc")
       saveMapIfc(folder.path("map.ifc"), map, plan);
     else
       saveFloorPlan(folder.path("floor_plan." + format), plan);
+  }
   if (options.has_pictures) {
     fs::create_directories(folder.path(pictureName("")));
     saveFloorPlan(folder.path(pictureName("floor_plan.png")), plan);
@@ -295,6 +309,7 @@ writeMap(const ChainOptions& options,
   folder.commit();
   timer.finish("write map");
   if (pictures.canBeDrawn()) {
+    progress.tell(written, "drawing");
     prepareForPictures(options.output);
     for (std::string& name : drawPictures(options.output, pictures, found, map, log))
       names.push_back(std::move(name));

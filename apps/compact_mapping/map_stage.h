@@ -4,6 +4,7 @@
 
 #include <pcl/core/compact_map.h>
 #include <pcl/core/output_folder.h>
+#include <pcl/core/progress.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/pipeline/chain.h>
 #include <pcl/pipeline/map_comparison.h>
@@ -33,6 +34,7 @@ takeAlong(const StageStore& store,
 
 /** \brief Writes a map with its floor plan and its mesh, then draws its pictures, and
  * reports it.
+ * \param[in] progress of the writing
  * \param[in,out] map as \ref saveCompactMap
  * \param[in,out] folder is committed before the first picture is drawn
  * \return names of the files
@@ -42,6 +44,7 @@ writeMap(const ChainOptions& options,
          const MappedPlanes& found,
          CompactMap& map,
          const PicturesApart& pictures,
+         const ProgressCallback& progress,
          OutputFolder& folder,
          StageLog& log);
 

@@ -13,6 +13,7 @@
 #include <pcl/conversions.h>
 #include <pcl/core/carmen_log.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/part_of_progress.h>
 #include <pcl/core/output_file.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/core/planar_pose.h>
@@ -38,6 +39,8 @@ using Clouds = std::vector<PointCloud<PointNormal>::Ptr>;
 using Rectification = EntropyRectification<PointNormal>;
 
 constexpr double degrees = 180 / 3.14159265358979323846;
+constexpr double rectified =
+    0.9; ///< fraction of the progress, before files are written
 
 const char*
 outcomeName(RectificationOutcome outcome)
@@ -251,7 +254,7 @@ writeObservations(const RectificationOptions& options,
     return;
   MapRows map =
       emptyMap(options.write_map ? consolidated.points : 0, consolidated.colored);
-  const Progress progress(controls.progress);
+  const Progress progress(partOf(controls.progress, rectified, 1));
   for (std::size_t i = 0; i < posed.size(); ++i) {
     progress.tell(static_cast<double>(i) / static_cast<double>(posed.size()),
                   "writing");
@@ -405,7 +408,7 @@ rectifyPoses(const RectificationOptions& options,
   Chain chain(std::move(settings));
   chain.setInput(posed, true);
   chain.setNumberOfThreads(controls.threads);
-  chain.setProgressCallback(controls.progress);
+  chain.setProgressCallback(partOf(controls.progress, 0, rectified));
   const ChainState& state = chain.run("adjustment");
   const CompactMappingReport& report = state.report;
   timer.finish("rectify");

@@ -1,0 +1,166 @@
+#include "closing_lines.h"
+
+#include <pcl/core/impl/size_text.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+namespace pcl::acmap {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Lines = std::vector<std::pair<std::string, std::string>>;
+
+/** The value at a path such as "texture/seen"; null if there is none. */
+Json
+valueAt(const Json& json, const std::string& path)
+{
+  const Json::json_pointer place("/" + path);
+  return json.contains(place) ? json.at(place) : Json();
+}
+
+/** What a stage reports; null if there was none. */
+Json
+detailsOf(const Json& report, const std::string& stage)
+{
+  for (const Json& made : report.at("stages"))
+    if (made.at("name") == stage)
+      return made.at("details");
+  return {};
+}
+
+/** "12 planes"; "1 plane". */
+std::string
+countText(std::size_t count, const std::string& one, const std::string& several)
+{
+  return std::to_string(count) + " " + (count == 1 ? one : several);
+}
+
+std::string
+joined(const std::vector<std::string>& parts, const char* between)
+{
+  std::string text;
+  for (const std::string& part : parts)
+    text += (text.empty() ? "" : between) + part;
+  return text;
+}
+
+std::string
+areaText(double area)
+{
+  std::array<char, 400> text{};
+  std::snprintf(text.data(), text.size(), "%.1f", area);
+  return text.data();
+}
+
+std::string
+surfacesText(const Json& report, const Json& map)
+{
+  constexpr std::array<std::array<const char*, 3>, 4> kinds = {
+      {{"planes", "plane", "planes"},
+       {"cylinders", "cylinder", "cylinders"},
+       {"boxes", "box", "boxes"},
+       {"recesses", "recess", "recesses"}}};
+  std::vector<std::string> parts;
+  for (const auto& [name, one, several] : kinds)
+    if (const Json count = valueAt(report, name); count.is_number() && count > 0)
+      parts.push_back(countText(count.get<std::size_t>(), one, several));
+  const Json points = valueAt(map, "points_on_planes"),
+             all = valueAt(map, "finite_points");
+  if (points.is_number() && all.is_number() && all > 0)
+    parts.push_back(shortNumber(100 * points.get<double>() / all.get<double>()) +
+                    " % of the points on planes");
+  return joined(parts, ", ");
+}
+
+/** "3 rooms, 45.1 m²: 24.8, 12.0 and 8.3 m²" */
+std::string
+roomsText(const Json& rooms)
+{
+  constexpr std::size_t most = 8;
+  double sum = 0;
+  std::vector<std::string> areas;
+  for (const Json& room : rooms) {
+    const double area = room.at("area").get<double>();
+    sum += area;
+    if (areas.size() < most)
+      areas.push_back(areaText(area));
+  }
+  std::string text =
+      countText(rooms.size(), "room", "rooms") + ", " + areaText(sum) + " m²";
+  if (rooms.size() > 1)
+    text += ": " + joined(areas, ", ") + (rooms.size() > most ? ", …" : "");
+  return text;
+}
+
+std::string
+openingsText(const Json& openings)
+{
+  std::vector<std::string> parts;
+  for (const auto& [kind, count] : openings.items())
+    if (count > 0)
+      parts.push_back(countText(count.get<std::size_t>(), kind, kind + "s"));
+  return joined(parts, ", ");
+}
+
+/** Half of the area of the planes has a smaller rmse, metres. */
+double
+middleNoise(const Json& planes)
+{
+  std::vector<std::pair<double, double>> noises; // rmse, area
+  double all = 0, sum = 0;
+  for (const Json& plane : planes)
+    if (plane.at("rmse").is_number() && plane.at("area").is_number()) {
+      noises.emplace_back(plane.at("rmse").get<double>(),
+                          plane.at("area").get<double>());
+      all += noises.back().second;
+    }
+  std::sort(noises.begin(), noises.end());
+  for (const auto& [noise, area] : noises)
+    if ((sum += area) >= all / 2)
+      return noise;
+  return 0;
+}
+
+std::string
+accuracyText(const Json& report, const Json& map)
+{
+  std::vector<std::string> parts;
+  if (const double noise = middleNoise(valueAt(map, "planes")); noise > 0)
+    parts.push_back("points within " + shortNumber(1000 * noise) +
+                    " mm of their planes (rms, half of the area)");
+  if (const Json e95 = valueAt(detailsOf(report, "rectification"), "verdict/e95");
+      e95.is_number())
+    parts.push_back("poses within " + shortNumber(e95.get<double>()) + " m (95 %)");
+  return joined(parts, ", ");
+}
+
+void
+add(Lines& lines, const char* name, std::string value)
+{
+  if (!value.empty())
+    lines.emplace_back(name, std::move(value));
+}
+
+} // namespace
+
+Lines
+closingLines(const Json& report, const std::string& folder)
+{
+  const Json map = detailsOf(report, "map");
+  Lines lines;
+  add(lines, "surfaces", surfacesText(report, map));
+  if (const Json rooms = valueAt(map, "rooms"); rooms.is_array() && !rooms.empty())
+    add(lines, "rooms", roomsText(rooms));
+  if (const Json openings = valueAt(map, "openings"); openings.is_object())
+    add(lines, "openings", openingsText(openings));
+  add(lines, "accuracy", accuracyText(report, map));
+  return lines;
+}
+
+} // namespace pcl::acmap

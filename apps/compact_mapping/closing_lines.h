@@ -1,0 +1,17 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief The last lines of a summary, name and value, by the report of a map: is it good, what is
+ * in it, how exact is it, what was not seen, its size, and what to open.
+ * \param[in] folder of the map */
+std::vector<std::pair<std::string, std::string>>
+closingLines(const nlohmann::ordered_json& report, const std::string& folder);
+
+} // namespace pcl::acmap
