@@ -86,4 +86,17 @@ cp "$scratch/posed/matches_0006.png" "$pictures/egomotion_matches.png"
 xvfb-run -a "$bin/pcl_compact_mapping" "$scratch/survey" -o "$scratch/survey_map" --no-pictures
 xvfb-run -a "$bin/acmap_paper_figures" "$scratch/survey" "$scratch/survey_map" -o "$scratch/figures"
 cp "$scratch/figures/"fig*.png "$pictures/paper_figures/"
-/usr/bin/python3 "$pictures/overview.py" "$pictures/paper_figures" "$pictures/overview.png"
+# The first page: a view that is real, and what was filmed. Needs Chromium, Node and the cloud
+# office1.pcd of https://github.com/PointCloudLibrary/data.
+office=${ACMAP_TEST_DATA:-$pictures/../../../shared/data}/E_meshing/office1.pcd
+shown() {
+  xvfb-run -a -s "-screen 0 1280x960x24" "$bin/pcl_compact_viewer" "$1" --quiet --size 960x640 \
+    --screenshot "$scratch/$2.png"
+}
+"$bin/pcl_dewall_surface" "$office" "$scratch/office.ply" --consolidate
+shown "$office" real_points
+shown "$scratch/office.ply" real_mesh
+"$bin/pcl_compact_mapping" "$office" -o "$scratch/real" --no-pictures
+node "$pictures/first_page.mjs" /usr/bin/chromium "$scratch" "$scratch/real/map.html" \
+  "$scratch/survey_map/map.html"
+/usr/bin/python3 "$pictures/overview.py" "$scratch" "$pictures/paper_figures" "$pictures"

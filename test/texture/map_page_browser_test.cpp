@@ -123,6 +123,11 @@ TEST(MapPageInABrowser, IsUsedByAPerson)
   CompactMap bare = makeEmptyRoom();
   saveCompactMap(folder.path("bare"), bare);
   saveMapPage(folder.path("bare.html"), folder.path("bare"));
+  CompactMap colourless = makeEmptyRoom();
+  for (TextureChart& chart : colourless.charts)
+    std::fill(chart.kinds.begin(), chart.kinds.end(), TexelKind::None);
+  saveCompactMap(folder.path("colourless"), colourless);
+  saveMapPage(folder.path("colourless.html"), folder.path("colourless"));
   RunSettings settings;
   settings.time_limit = 900;
   const ToolRun run =

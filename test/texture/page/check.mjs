@@ -6,7 +6,7 @@ import {join} from 'node:path';
 
 import {Browser, pause} from './browser.mjs';
 import {cameraIn, pixelOf} from './camera.mjs';
-import {boundsOfChange, commonestColour, shareDarkerThan} from './pictures.mjs';
+import {boundsOfChange, commonestColour, frequentColours, shareDarkerThan} from './pictures.mjs';
 
 const [, , program, folder] = process.argv;
 const page_of = name => `file://${join(folder, name)}`;
@@ -281,6 +281,20 @@ async function checkLayers(browser) {
   await bare.close();
 }
 
+// Surfaces that were seen, without colours: shaded, and not hatched as if nobody had looked.
+async function checkWithoutColours(browser) {
+  const fault = told('without colours');
+  const page = await shown(browser, `${page_of('colourless.html')}#view=inside&ao=0`, sizes.computer);
+  await rested(page);
+  const shades = await frequentColours(browser, await withoutPanels(page), 0.03);
+  expect(fault, shades.length >= 3, `walls are not told apart: ${JSON.stringify(shades)}`);
+  const names = await page.value(`[...document.querySelectorAll('[data-layer]')].map(box => box.dataset.layer).join(' ')`);
+  expect(fault, !names.includes('unseen'), 'all is said to be unseen');
+  expect(fault, (await page.value(text('#legend'))).includes('without colours'), 'the legend does not tell it');
+  expect(fault, page.errors.length === 0, `the console has ${page.errors.join('; ')}`);
+  await page.close();
+}
+
 async function checkFaults(browser) {
   const fault = told('faults');
   const html = readFileSync(join(folder, 'map.html'), 'utf8');
@@ -308,7 +322,8 @@ try {
     await checkColours(browser, name, size);
     await checkMeasures(browser, name, size);
   }
-  for (const check of [checkOcclusion, checkKeys, checkTouch, checkCards, checkPlan, checkInside, checkLayers, checkFaults])
+  for (const check of [checkOcclusion, checkKeys, checkTouch, checkCards, checkPlan, checkInside, checkLayers,
+                       checkWithoutColours, checkFaults])
     await check(browser);
 } catch (error) {
   faults.push(error.stack);

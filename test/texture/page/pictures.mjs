@@ -30,6 +30,18 @@ export function commonestColour(browser, png) {
     return [best >> 16, best >> 8 & 255, best & 255];`);
 }
 
+// Colours that a share of the picture has.
+export function frequentColours(browser, png, share) {
+  return inBrowser(browser, png, `
+    const counts = new Map();
+    for (let i = 0; i < data.length; i += 4) {
+      const key = data[i] << 16 | data[i + 1] << 8 | data[i + 2];
+      counts.set(key, (counts.get(key) ?? 0) + 1);
+    }
+    return [...counts].filter(([, count]) => count > ${share} * width * height)
+      .map(([key]) => [key >> 16, key >> 8 & 255, key & 255]);`);
+}
+
 // How many of the pixels are darker than 0.9 times a level of red.
 export function shareDarkerThan(browser, png, red) {
   return inBrowser(browser, png, `

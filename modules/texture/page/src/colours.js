@@ -1,7 +1,7 @@
 // Materials: colours as they are in the texture, without any light, and hatching where nobody
 // looked.
 
-import {DoubleSide, FrontSide, MeshBasicMaterial} from 'three';
+import {BufferAttribute, Color, DoubleSide, FrontSide, MeshBasicMaterial, Vector3} from 'three';
 
 // Shared by all materials: is what nobody saw hatched, or left out?
 export const hatching = {value: true};
@@ -61,6 +61,22 @@ export const unseenMaterial = () =>
 // One that nobody saw, but which must be there.
 export const proposedMaterial = () =>
   hatchWhere(new MeshBasicMaterial({side: FrontSide, toneMapped: false}), proposed_line, 'true', nothing);
+
+// Of what was seen without colours, by role.
+const plain = {floor: 0xb3a996, ceiling: 0xe6e8ea, wall: 0xd4dae1, 'door leaf': 0xb98f66, furniture: 0x8fb0cf};
+const light = new Vector3(0.35, 0.8, 0.5).normalize(), shadow = 0.62;
+
+// Gives a geometry with normals the colour of its role, brighter where it faces the light.
+export function shade(geometry, role) {
+  const color = new Color(plain[role] ?? 0xc3c8cd), normal = new Vector3();
+  const {position, normal: normals} = geometry.attributes;
+  const colors = new Float32Array(3 * position.count);
+  for (let i = 0; i < position.count; ++i) {
+    const facing = 0.5 + 0.5 * normal.fromBufferAttribute(normals, i).dot(light);
+    color.clone().multiplyScalar(shadow + (1 - shadow) * facing).toArray(colors, 3 * i);
+  }
+  geometry.setAttribute('color', new BufferAttribute(colors, 3));
+}
 
 export const detailMaterial = () =>
   new MeshBasicMaterial({vertexColors: true, side: FrontSide, toneMapped: false});

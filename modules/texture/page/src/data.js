@@ -25,7 +25,7 @@ function bytesOfBase64(text) {
   }
 }
 
-// {map, before: positions, glb: bytes, kinds: {name: bytes}, previews: {name of a page:
+// {map, before: positions, has_colours: has anybody seen one?, glb: bytes, kinds: {name: bytes}, previews: {name of a page:
 // {size, jpeg: bytes}}}
 export function readData() {
   const map = parsed('map_json', 'map.json');
@@ -38,5 +38,5 @@ export function readData() {
   for (const preview of Object.values(previews))
     preview.jpeg = bytesOfBase64(preview.jpeg);
   return {map, kinds, previews, before: parsed('before_json', 'the way before'),
-          glb: bytesOfBase64(textOf('map_glb'))};
+          has_colours: document.body.dataset.colours !== 'none', glb: bytesOfBase64(textOf('map_glb'))};
 }

@@ -61,6 +61,8 @@ function showLegend(world) {
   };
   if (world.surfaces.some(surface => surface.is_unseen))
     add('unseen', 'no camera saw its colour');
+  if (!world.has_colours)
+    add('plain', 'seen without colours');
   if (world.proposed)
     add('proposed', 'not seen, but must be there');
 }

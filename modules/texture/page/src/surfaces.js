@@ -3,7 +3,7 @@
 import {BufferAttribute, BufferGeometry, Group, Mesh, Vector3} from 'three';
 
 import {Belonging} from './belonging.js';
-import {textureMaterial, unseenMaterial} from './colours.js';
+import {detailMaterial, shade, textureMaterial, unseenMaterial} from './colours.js';
 import {KindPlaces, picturesOf} from './kinds.js';
 import {numberIn} from './textures.js';
 
@@ -73,12 +73,13 @@ class SurfaceParts {
 // Materials by page of colours, which may be none, and page of kinds. Meshes share them, except
 // those that fade.
 class Materials {
-  constructor(pages, textures) {
-    Object.assign(this, {pages, textures, shared: new Map()});
+  constructor(pages, textures, has_colours) {
+    Object.assign(this, {pages, textures, has_colours, shared: new Map()});
   }
 
   made({page, kinds}) {
-    return page === null ? unseenMaterial()
+    return !this.has_colours ? detailMaterial()
+         : page === null ? unseenMaterial()
                          : textureMaterial(this.pages.get(page), kinds && this.textures.kinds.get(kinds).texture);
   }
 
@@ -91,12 +92,12 @@ class Materials {
 }
 
 // node: 'map' of map.glb. Returns surfaces {kind, id, group}, in the order of the file.
-export async function surfacesOf(map, node, frame, textures) {
+export async function surfacesOf({map, has_colours}, node, frame, textures) {
   const pictures = picturesOf(map).map(p => ({...p, image: numberIn(p.image)}));
   const belonging = new Belonging(map, frame);
   const sorted = new SurfaceParts();
   const pages = new Map();
-  const has_colours = pictures.length > 0;
+  const has_pictures = pictures.length > 0;
   const to_scene = frame.of_glb.clone().multiply(node.matrix);
   for (const part of node.parts) {
     const page = numberIn(part.material);
@@ -106,14 +107,18 @@ export async function surfacesOf(map, node, frame, textures) {
     eachTriangle(part.geometry, to_scene, (places, coordinates) => {
       const kind = kinds.of(coordinates, name => textures.kinds.get(name)?.size);
       const owner = belonging.of(...places);
-      const is_coloured = texture && (kind.has_picture || !has_colours);
+      const is_coloured = texture && (kind.has_picture || !has_pictures);
       sorted.at(owner, is_coloured ? page : null, kind.name).add(places, coordinates, kind.coordinates);
     });
   }
-  return groupsOf(sorted, new Materials(pages, textures));
+  return groupsOf(map, sorted, new Materials(pages, textures, has_colours));
 }
 
-function groupsOf(sorted, materials) {
+function roleOf(map, owner) {
+  return owner?.kind === 'plane' ? map.planes[owner.id]?.role : 'furniture';
+}
+
+function groupsOf(map, sorted, materials) {
   const surfaces = new Map();
   for (const entry of sorted.parts.values()) {
     const key = `${entry.owner?.kind} ${entry.owner?.id}`;
@@ -122,10 +127,13 @@ function groupsOf(sorted, materials) {
                          group: new Group(), is_unseen: false});
     const surface = surfaces.get(key);
     const whole = materials.of(entry);
-    const mesh = new Mesh(entry.part.geometry(), whole);
+    const geometry = entry.part.geometry();
+    if (!materials.has_colours)
+      shade(geometry, roleOf(map, entry.owner));
+    const mesh = new Mesh(geometry, whole);
     mesh.userData = {surface, whole, fading: () => mesh.userData.faded ??= materials.made(entry)};
     surface.group.add(mesh);
-    surface.is_unseen ||= entry.page === null || entry.kinds !== null;
+    surface.is_unseen ||= materials.has_colours && (entry.page === null || entry.kinds !== null);
   }
   return [...surfaces.values()];
 }

@@ -4,7 +4,7 @@ import {BufferGeometry, Group, Line, LineBasicMaterial, LineSegments, Matrix4, M
         Vector3} from 'three';
 import {acceleratedRaycast, MeshBVH} from 'three-mesh-bvh';
 
-import {detailMaterial, hatching, known_kinds, proposedMaterial, setOpacity, setSide} from './colours.js';
+import {detailMaterial, hatching, known_kinds, proposedMaterial, setOpacity, setSide, shade} from './colours.js';
 import {boxOf, fragmentsOf} from './fragments.js';
 import {Frame} from './frame.js';
 import {readGlb} from './glb.js';
@@ -45,13 +45,14 @@ export class World {
     const glb = readGlb(data.glb);
     const node = glb.node('map') ?? no_node;
     world.map = data.map;
+    world.has_colours = data.has_colours;
     world.frame = new Frame(data.map, node);
     world.textures = new Textures(glb, data, renderer);
     const unpacked = Promise.all(node.parts.map(part => part.image !== null && world.textures.page(part)));
     world.items = new Items(data.map, world.frame); // while images are unpacked
     world.fragments = fragmentsOf(data.map, world.items.planes);
     await unpacked;
-    world.surfaces = await surfacesOf(data.map, node, world.frame, world.textures);
+    world.surfaces = await surfacesOf(data, node, world.frame, world.textures);
     world.group = new Group();
     world.addSurfaces();
     world.addLayers(data, name => glb.node(name));
@@ -87,6 +88,11 @@ export class World {
     const proposed = node('proposed'), details = node('details');
     add('proposed', proposed && placed(proposed, this.frame, proposedMaterial()));
     add('details', details && placed(details, this.frame, detailMaterial()));
+    if (!data.has_colours)
+      for (const {geometry} of this.details?.children ?? []) {
+        geometry.computeVertexNormals();
+        shade(geometry, 'other');
+      }
     const way = (data.map.trajectory ?? []).map(pose => this.frame.place(pose.position));
     add('way', way.length > 1 ? wayOf(way, 0x1463c2) : null);
     add('before', data.before.length > 1 ? wayOf(data.before.map(p => this.frame.place(p)), 0xd9542b) : null);

@@ -55,6 +55,7 @@ saveMapPage(const std::string& path, const std::string& map, const Trajectory& b
       {"script", acmap::mapPageScript()},
       {"map", acmap::inScript(acmap::bytesOf(json))},
       {"before", positionsOf(before)},
+      {"colours", acmap::hasSeenTexels(shown, folder) ? "seen" : "none"},
       {"kinds", acmap::kindsOf(shown, folder)},
       {"previews", acmap::previewsOf(shown, folder)},
       {"glb", acmap::base64(acmap::bytesOf(folder / "map.glb"))}};

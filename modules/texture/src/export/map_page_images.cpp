@@ -74,6 +74,22 @@ inScript(std::string json)
   return json;
 }
 
+bool
+hasSeenTexels(const CompactMap& map, const std::filesystem::path& folder)
+{
+  std::set<std::string> names;
+  for (const TexturePicture* picture : acmap::picturesOf(map))
+    if (!picture->kinds_image.empty())
+      names.insert(picture->kinds_image);
+  return names.empty() ||
+         std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+           const std::vector<std::uint16_t> kinds =
+               loadGrayImage16((folder / name).string()).values;
+           return std::any_of(
+               kinds.begin(), kinds.end(), [](std::uint16_t kind) { return kind > 0; });
+         });
+}
+
 std::string
 kindsOf(const CompactMap& map, const std::filesystem::path& folder)
 {

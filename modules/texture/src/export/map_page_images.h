@@ -15,6 +15,11 @@ bytesOf(const std::filesystem::path& path);
 std::string
 inScript(std::string json);
 
+/** \brief Has an observation seen the colour of a texel? True for maps without images of kinds.
+ * \throws InputFileException when one cannot be read */
+bool
+hasSeenTexels(const CompactMap& map, const std::filesystem::path& folder);
+
 /** \brief The images of kinds that a map names, as JSON: base64 by name.
  * \throws InputFileException as \ref bytesOf */
 std::string
