@@ -140,6 +140,29 @@ accuracyText(const Json& report, const Json& map)
   return joined(parts, ", ");
 }
 
+/** "Good: surfaces are sharp to 4 mm" */
+std::string
+qualityText(const Json& quality)
+{
+  const Json outcome = valueAt(quality, "outcome"),
+             sentence = valueAt(quality, "sentence");
+  if (!outcome.is_string() || !sentence.is_string())
+    return "";
+  return outcome.get<std::string>() + ": " + sentence.get<std::string>();
+}
+
+std::string
+unseenText(const Json& quality)
+{
+  const Json seen = valueAt(quality, "seen_area"),
+             unseen = valueAt(quality, "unseen_area");
+  if (!seen.is_number() || !unseen.is_number() || unseen <= 0)
+    return "";
+  return areaText(unseen.get<double>()) + " of " +
+         areaText(seen.get<double>() + unseen.get<double>()) +
+         " m² of floors, ceilings and walls; report.html tells where to look next";
+}
+
 void
 add(Lines& lines, const char* name, std::string value)
 {
@@ -153,13 +176,16 @@ Lines
 closingLines(const Json& report, const std::string& folder)
 {
   const Json map = detailsOf(report, "map");
+  const Json quality = valueAt(report, "quality");
   Lines lines;
+  add(lines, "map", qualityText(quality));
   add(lines, "surfaces", surfacesText(report, map));
   if (const Json rooms = valueAt(map, "rooms"); rooms.is_array() && !rooms.empty())
     add(lines, "rooms", roomsText(rooms));
   if (const Json openings = valueAt(map, "openings"); openings.is_object())
     add(lines, "openings", openingsText(openings));
   add(lines, "accuracy", accuracyText(report, map));
+  add(lines, "not seen", unseenText(quality));
   return lines;
 }
 
