@@ -1,6 +1,7 @@
 #include "bindings.h"
 #include "kernel_call.h"
 #include "mesh_argument.h"
+#include "named_choice.h"
 #include "normals_argument.h"
 #include "reports.h"
 #include "results.h"
@@ -16,6 +17,9 @@ namespace pcl::acmap::python {
 namespace {
 
 using namespace py::literals;
+
+constexpr NamedChoices<SupporterReach, 2> supporter_reaches = {
+    {{"members", SupporterReach::Members}, {"hypothesis", SupporterReach::Hypothesis}}};
 
 /** Result of find_planes. */
 struct Planes {
@@ -76,7 +80,9 @@ sensor_origin   metres: where the source was seen from; None: unknown
 viewpoints      (k, 3) float32, metres: where observations stood, instead
 view            int32, for each point of the source which of the viewpoints saw it
 noise_driven    the mesh and the noise decide; False: the paper's thresholds, to the letter
-member_distance W_d, metres: how near supporters are to the hypothesis; unless noise_driven
+member_distance W_d, metres: how near supporters are to others; unless noise_driven
+supporter_reach 'members': near to one that supports the plane already; 'hypothesis': near to the
+                one that is tested; unless noise_driven
 normal_angle    W_n, radians, up to pi / 2
 plane_distance  W_t, metres; None: by the noise, or 0.25 unless noise_driven
 least_support   W_h: a hypothesis needs more supporters; unless noise_driven
@@ -167,6 +173,7 @@ bindPlanes(py::module_& module)
          std::optional<IndexArgument> view,
          bool noise_driven,
          double member_distance,
+         const std::string& supporter_reach,
          double normal_angle,
          std::optional<double> plane_distance,
          std::size_t min_support,
@@ -189,6 +196,8 @@ bindPlanes(py::module_& module)
                    clustering,
                    &Clustering::setDistanceThreshold,
                    plane_distance);
+        clustering.setSupporterReach(
+            chosen("supporter_reach", supporter_reach, supporter_reaches));
         clustering.setMinClusterSize(min_support);
         setKeyword("least_area", clustering, &Clustering::setMinArea, min_area);
         clustering.setRegularize(regular);
@@ -212,6 +221,7 @@ bindPlanes(py::module_& module)
       "view"_a = py::none(),
       "noise_driven"_a = defaults.noise_driven,
       "member_distance"_a = defaults.member_distance,
+      "supporter_reach"_a = nameOf(defaults.reach, supporter_reaches),
       "normal_angle"_a = defaults.normal_angle,
       "plane_distance"_a = py::none(),
       "least_support"_a = defaults.min_support,

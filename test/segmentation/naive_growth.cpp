@@ -27,7 +27,27 @@ reestimate(const NaiveHypotheses& all, const Eigen::Vector3d& front, NaivePlane&
   plane.offset = -plane.normal.dot(mean);
 }
 
-/** Does hypothesis j support hypothesis i, whose plane is as known so far? */
+/** Is p_j within W_d of p_i, which is the first member, or of any of them?
+ * \param[in] members that are asked, the first ones */
+bool
+isNear(const NaiveHypotheses& all,
+       std::size_t j,
+       const NaivePlane& plane,
+       std::size_t members,
+       const NaiveThresholds& limits)
+{
+  const auto first = plane.members.begin();
+  return std::any_of(
+      first,
+      first + static_cast<std::ptrdiff_t>(limits.by_members ? members : 1),
+      [&](std::int32_t member) {
+        return (all.points[j] - all.points[static_cast<std::size_t>(member)]).norm() <
+               limits.member_distance;
+      });
+}
+
+/** Does hypothesis j, if it is near enough, support hypothesis i, whose plane is as known
+ * so far? */
 bool
 supports(const NaiveHypotheses& all,
          std::size_t j,
@@ -35,8 +55,7 @@ supports(const NaiveHypotheses& all,
          const NaivePlane& plane,
          const NaiveThresholds& limits)
 {
-  return (all.points[j] - all.points[i]).norm() < limits.member_distance &&
-         all.normals[j].dot(all.normals[i]) > std::cos(limits.angle) &&
+  return all.normals[j].dot(all.normals[i]) > std::cos(limits.angle) &&
          std::abs(plane.normal.dot(all.points[j]) + plane.offset) <
              limits.plane_distance;
 }
@@ -60,7 +79,9 @@ growNaively(const NaiveHypotheses& all,
     for (std::size_t before = 0; before < plane.members.size();) {
       before = plane.members.size();
       for (std::size_t j = 0; j < all.points.size(); ++j) {
-        if (j == i || is_used[j] || is_member[j] || !supports(all, j, i, plane, limits))
+        if (j == i || is_used[j] || is_member[j] ||
+            !supports(all, j, i, plane, limits) ||
+            !isNear(all, j, plane, before, limits))
           continue;
         is_member[j] = true;
         plane.members.push_back(static_cast<std::int32_t>(j));

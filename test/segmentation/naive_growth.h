@@ -18,6 +18,9 @@ struct NaiveThresholds {
   double angle = 0.392699081699; ///< W_n, radians
   double plane_distance = 0.25;  ///< W_t, metres
   std::size_t support = 50;      ///< W_h
+  /** \brief Is W_d the distance from any that was considered before as part of the plane, and not
+   * from p_i alone? */
+  bool by_members = true;
 };
 
 /** \brief A plane with p_i and its supporters in ascending order. */

@@ -94,6 +94,8 @@ growByKernel(const NaiveHypotheses& all,
   PlaneClusteringSettings settings;
   settings.noise_driven = false;
   settings.member_distance = limits.member_distance;
+  settings.reach =
+      limits.by_members ? SupporterReach::Members : SupporterReach::Hypothesis;
   settings.normal_angle = limits.angle;
   settings.plane_distance = limits.plane_distance;
   settings.min_support = limits.support;
@@ -208,16 +210,72 @@ TEST(PaperGrowth, tellsHowFarItIsAndCanBeStopped)
       CancelledException);
 }
 
+/** Walls are whole, or fall into pieces. */
+NaiveThresholds
+readingOf(bool by_members)
+{
+  NaiveThresholds limits;
+  limits.by_members = by_members;
+  return limits;
+}
+
 TEST(PaperGrowth, isTheNaiveOne)
 {
-  for (const std::uint64_t seed : {1, 2, 3, 4})
-    EXPECT_GE(compareWithNaive(makeRoomHypotheses(seed), {}), 8U);
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    EXPECT_GE(compareWithNaive(makeRoomHypotheses(seed), readingOf(false)), 8U);
+    EXPECT_GE(compareWithNaive(makeRoomHypotheses(seed), readingOf(true)), 3U);
+  }
 }
 
 TEST(PaperGrowth, isTheNaiveOneOnHardClouds)
 {
-  for (const std::uint64_t seed : {1, 2, 3})
-    EXPECT_GE(compareWithNaive(makeHardHypotheses(seed), {}), 2U);
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    EXPECT_GE(compareWithNaive(makeHardHypotheses(seed), readingOf(false)), 2U);
+    EXPECT_GE(compareWithNaive(makeHardHypotheses(seed), readingOf(true)), 1U);
+  }
+}
+
+/** The largest distance between two members of a plane, along x. */
+double
+lengthOf(const NaiveHypotheses& all, const NaivePlane& plane)
+{
+  double low = INFINITY, high = -INFINITY;
+  for (const std::int32_t member : plane.members) {
+    const double x = all.points[static_cast<std::size_t>(member)].x();
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  return high - low;
+}
+
+/** What can be said without any growth: of a wall 9 m long, with 2 m of it hidden. */
+TEST(PaperGrowth, wallsAreWholeUpToGapsOfTheDistance)
+{
+  HypothesisMaker maker(8);
+  maker.addBoard({0, 0, 0}, {4, 0, 0}, {0, 0.5, 0}, 1600, 0.005, 0.01);
+  maker.addBoard({6, 0, 0}, {3, 0, 0}, {0, 0.5, 0}, 1200, 0.005, 0.01);
+  std::vector<double> lengths;
+  for (const NaivePlane& plane : growByKernel(maker.all, readingOf(true)).planes)
+    lengths.push_back(lengthOf(maker.all, plane));
+  std::sort(lengths.begin(), lengths.end());
+  ASSERT_EQ(lengths.size(), 2U) << "nothing is within 0.8 m across the gap";
+  EXPECT_NEAR(lengths[0], 3, 0.05);
+  EXPECT_NEAR(lengths[1], 4, 0.05);
+  NaiveThresholds wide = readingOf(true);
+  wide.member_distance = 2.1;
+  const Grown one = growByKernel(maker.all, wide);
+  ASSERT_EQ(one.planes.size(), 1U);
+  EXPECT_NEAR(lengthOf(maker.all, one.planes[0]), 9, 0.05);
+}
+
+TEST(PaperGrowth, piecesAreAsLargeAsTheDistanceAllows)
+{
+  HypothesisMaker maker(9);
+  maker.addBoard({0, 0, 0}, {9, 0, 0}, {0, 0.5, 0}, 3600, 0.005, 0.01);
+  const Grown found = growByKernel(maker.all, readingOf(false));
+  EXPECT_GE(found.planes.size(), 6U);
+  for (const NaivePlane& plane : found.planes)
+    EXPECT_LT(lengthOf(maker.all, plane), 1.6);
 }
 
 TEST(PaperGrowth, isTheNaiveOneInTheOrderOfCurvature)
@@ -246,10 +304,13 @@ TEST(PaperGrowth, thresholdsAreUsed)
 {
   for (const NaiveThresholds& limits : {NaiveThresholds{0.4, 0.38, 0.1, 20},
                                         NaiveThresholds{0.8, 0.1, 0.25, 10},
-                                        NaiveThresholds{1.5, 1.05, 0.05, 100}}) {
-    EXPECT_GE(compareWithNaive(makeRoomHypotheses(7), limits), 2U);
-    compareWithNaive(makeHardHypotheses(7), limits);
-  }
+                                        NaiveThresholds{1.5, 1.05, 0.05, 100}})
+    for (const bool by_members : {false, true}) {
+      NaiveThresholds used = limits;
+      used.by_members = by_members;
+      EXPECT_GE(compareWithNaive(makeRoomHypotheses(7), used), 2U);
+      compareWithNaive(makeHardHypotheses(7), used);
+    }
 }
 
 /** Squared errors of slopes and offset in units of the covariance, over many boards. */

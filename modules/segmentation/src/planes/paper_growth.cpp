@@ -93,6 +93,7 @@ public:
   , thresholds_(thresholds)
   , report_(report)
   , open_(graph, thresholds.member_distance)
+  , is_reached_(graph.points.size(), false)
   {}
 
   bool
@@ -106,7 +107,6 @@ public:
   test(std::int32_t i, std::vector<GrownPlane>& planes)
   {
     ++report_.tested_hypotheses;
-    collectCandidates(i);
     GrownPlane plane = planeOf(i);
     const std::size_t supporters = plane.members.size() - 1; // without i itself
     if (supporters <= thresholds_.support || areCoincident(plane.members))
@@ -138,16 +138,31 @@ private:
     });
   }
 
-  /** All hypotheses j other than i within W_d of p_i and W_n of n_i, in their order. */
   void
-  collectCandidates(std::int32_t i)
+  reachOnly(std::int32_t i)
+  {
+    for (const std::int32_t j : reached_)
+      is_reached_[static_cast<std::size_t>(j)] = false;
+    reached_ = {i};
+    is_reached_[static_cast<std::size_t>(i)] = true;
+    candidates_.clear();
+  }
+
+  /** All hypotheses j other than i within W_d of new members and W_n of n_i become
+   * candidates, in their order. */
+  void
+  collectCandidates(std::int32_t i, const std::int32_t* first, const std::int32_t* last)
   {
     const Eigen::Vector3d front = normal(i).cast<double>();
-    candidates_.clear();
-    open_.visitNear(i, [&](std::int32_t j) {
-      if (j != i && normal(j).cast<double>().dot(front) > thresholds_.cosine)
+    for (; first != last; ++first)
+      open_.visitNear(*first, [&](std::int32_t j) {
+        if (is_reached_[static_cast<std::size_t>(j)] ||
+            normal(j).cast<double>().dot(front) <= thresholds_.cosine)
+          return;
+        is_reached_[static_cast<std::size_t>(j)] = true;
+        reached_.push_back(j);
         candidates_.push_back(j);
-    });
+      });
     std::sort(candidates_.begin(), candidates_.end());
   }
 
@@ -157,12 +172,17 @@ private:
   GrownPlane
   planeOf(std::int32_t i)
   {
+    reachOnly(i);
     const Eigen::Vector3d front = normal(i).cast<double>().normalized();
     Plane plane{front, 0};
     Moments moments = momentsOf(Eigen::Vector3d::Zero());
     GrownPlane grown;
     grown.members.push_back(i);
-    for (bool has_grown = true; has_grown;) {
+    std::vector<std::int32_t>& members = grown.members;
+    for (std::size_t asked = 0; asked < members.size();) {
+      if (asked == 0 || thresholds_.reach == SupporterReach::Members)
+        collectCandidates(i, members.data() + asked, members.data() + members.size());
+      asked = members.size();
       std::size_t left = 0;
       for (const std::int32_t j : candidates_) {
         const Eigen::Vector3d way = point(j) - point(i);
@@ -170,14 +190,13 @@ private:
           candidates_[left++] = j;
           continue;
         }
-        grown.members.push_back(j);
+        members.push_back(j);
         moments += momentsOf(way);
         ++report_.reestimations;
         const PlaneFit fit = fitPlane(moments);
         if (definesPlane(fit))
           plane = planeThrough(fit, front);
       }
-      has_grown = left < candidates_.size();
       candidates_.resize(left);
     }
     const Eigen::Vector3d& origin = point(i);
@@ -192,6 +211,8 @@ private:
   PlaneClusteringReport& report_;
   OpenHypotheses open_;
   std::vector<std::int32_t> candidates_;
+  std::vector<std::int32_t> reached_; ///< by the plane that is grown
+  std::vector<bool> is_reached_;
 };
 
 } // namespace

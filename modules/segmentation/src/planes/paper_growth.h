@@ -3,26 +3,28 @@
 #include "planes/plane_growth.h"
 
 #include <pcl/core/progress.h>
+#include <pcl/segmentation/plane_clustering_types.h>
 
 namespace pcl::acmap::planes {
 
 /** The paper's thresholds (II-C.2). */
 struct PaperThresholds {
   double member_distance = 0; ///< W_d, metres
-  double cosine = 0;          ///< of W_n
-  double plane_distance = 0;  ///< W_t, metres
-  std::size_t support = 0;    ///< W_h
+  SupporterReach reach = SupporterReach::Members;
+  double cosine = 0;         ///< of W_n
+  double plane_distance = 0; ///< W_t, metres
+  std::size_t support = 0;   ///< W_h
 };
 
 /** Finds planes as the paper does: hypothesis i is supported by each other hypothesis j
- * with p_j within W_d of p_i, n_j within W_n of n_i, and p_j within W_t of the plane,
- * which is estimated again with each supporter. It is a plane if it has more than W_h
- * supporters.
+ * with p_j within W_d of p_i, or of a p_k that supports it, n_j within W_n of n_i, and p_j
+ * within W_t of the plane, which is estimated again with each supporter. It is a plane if it has
+ * more than W_h supporters.
  *
  * Where the paper leaves it open: the plane is the least-squares plane of p_i and its
- * supporters, once they are not on one line; candidates are visited in their order until
- * none of them is another supporter; what supports a plane supports no further one and
- * is not tested.
+ * supporters, once they are not on one line; candidates are visited in their order, those
+ * that new supporters bring within W_d in the next round, until a round finds no other
+ * supporter; what supports a plane supports no further one and is not tested.
  * \param[in] hypotheses in the order in which they are tested
  * \param[in] progress reported from 0 to 0.85 from time to time
  * \param[in,out] report counts the tests and the estimations

@@ -3,9 +3,25 @@
 #include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 
+#include <array>
 #include <cstddef>
 
 namespace pcl {
+
+/** \brief Two readings of who may support a hypothesis (II-C.2): the point of a supporter is
+ * within W_d of another one. \ingroup segmentation */
+enum class SupporterReach {
+  Members,   ///< of any that was considered before as part of the plane, (ii)
+  Hypothesis ///< of that of the hypothesis alone, (i)
+};
+
+namespace acmap {
+
+/** \brief The names of \ref SupporterReach in files, in Python and as options. */
+inline constexpr std::array<const char*, 2> supporter_reach_names{"members",
+                                                                  "hypothesis"};
+
+} // namespace acmap
 
 /** \brief Report of the last run of PlaneHypothesisClustering. \ingroup segmentation */
 struct PlaneClusteringReport : Report {

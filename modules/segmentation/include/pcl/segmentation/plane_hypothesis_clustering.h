@@ -36,8 +36,22 @@ public:
     return settings_.noise_driven;
   }
 
+  /** \brief Sets from which points W_d is measured (default Members, by which walls become
+   * whole as in Figs. 8 to 10). Not used if noise-driven. */
+  void
+  setSupporterReach(SupporterReach reach)
+  {
+    settings_.reach = reach;
+  }
+
+  SupporterReach
+  getSupporterReach() const
+  {
+    return settings_.reach;
+  }
+
   /** \brief Sets W_d in metres (default 0.8): the maximum distance of a supporter from
-   * the point of the hypothesis. Not used if noise-driven.
+   * the points of \ref setSupporterReach. Not used if noise-driven.
    * \throws BadArgumentException unless it is above 0 and finite, here and below */
   void
   setClusterTolerance(double distance);

@@ -17,9 +17,10 @@ namespace pcl::acmap {
 
 /** \brief Settings of \ref clusterPlanes; see PlaneHypothesisClustering. */
 struct PlaneClusteringSettings {
-  bool noise_driven = true;                  ///< else the paper to the letter
-  double member_distance = 0.8;              ///< W_d, metres; unless noise-driven
-  double normal_angle = 0.39269908169872414; ///< W_n, radians
+  bool noise_driven = true;                       ///< else the paper to the letter
+  double member_distance = 0.8;                   ///< W_d, metres; unless noise-driven
+  SupporterReach reach = SupporterReach::Members; ///< of W_d; unless noise-driven
+  double normal_angle = 0.39269908169872414;      ///< W_n, radians
   /** \brief W_t, metres; none: computed from the noise, or the paper's. */
   std::optional<double> plane_distance;
   std::size_t min_support = 50; ///< W_h; unless noise-driven
