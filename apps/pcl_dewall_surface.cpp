@@ -82,12 +82,14 @@ addOptions(Tool& tool, Options& options)
       options.dewall,
       &Triangulation::setAcceptanceRule,
       &Triangulation::getAcceptanceRule,
-      {{"paper", pcl::DeWallRule::Paper},
+      {{"guarded", pcl::DeWallRule::Guarded},
        {"dense", pcl::DeWallRule::Dense},
-       {"strict", pcl::DeWallRule::Strict}},
-      "paper: no point inside the smallest sphere through a triangle; dense: no such "
+       {"strict", pcl::DeWallRule::Strict},
+       {"paper", pcl::DeWallRule::Guarded}},
+      "guarded: no point inside the smallest sphere through a triangle; dense: no such "
       "test, covers noisy surfaces better; strict: the paper's algorithm as printed, "
-      "without our guard, for comparison: edges may have more than two triangles");
+      "without our guard, for comparison: edges may have more than two triangles; "
+      "paper: the former name of guarded");
   addSwitch(app,
             "--wall-depth",
             options.dewall,

@@ -17,9 +17,10 @@ namespace {
 
 using namespace py::literals;
 
-constexpr NamedChoices<DeWallRule, 3> dewall_rules = {{{"paper", DeWallRule::Paper},
+constexpr NamedChoices<DeWallRule, 4> dewall_rules = {{{"guarded", DeWallRule::Guarded},
                                                        {"dense", DeWallRule::Dense},
-                                                       {"strict", DeWallRule::Strict}}};
+                                                       {"strict", DeWallRule::Strict},
+                                                       {"paper", DeWallRule::Guarded}}};
 
 Mesh
 triangulate(const PointArgument& points,
@@ -70,9 +71,10 @@ points              (n, 3) or (h, w, 3) float32, metres; read where they are. Po
                     are not finite, or repeated, are skipped and counted in the report.
 maximum_edge_length metres, no edge is longer; 0: automatic, from the spacing around each
                     point. 2.5 voxels suit consolidated points.
-rule                'paper': no point inside the smallest sphere through a triangle;
+rule                'guarded': no point inside the smallest sphere through a triangle;
                     'dense': no such test, covers noisy surfaces better; 'strict': the
-                    algorithm as printed in the paper, for comparison, not manifold
+                    algorithm as printed in the paper, for comparison, not manifold;
+                    'paper': the former name of 'guarded'
 normals             as points, unit; off the side from which the points were seen
 sensor_origin       metres; faces look there where there are no normals
 up                  None, or the direction upwards: no sensor is known then, and faces look to their

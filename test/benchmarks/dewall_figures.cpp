@@ -199,7 +199,7 @@ struct Mesher {
 
 constexpr Mesher meshers[] = {
     {"DeWall paper",
-     [](const FigureCloud& c) { return deWall(c.cloud, DeWallRule::Paper); }},
+     [](const FigureCloud& c) { return deWall(c.cloud, DeWallRule::Guarded); }},
     {"DeWall dense",
      [](const FigureCloud& c) { return deWall(c.cloud, DeWallRule::Dense); }},
     {"PCL greedy projection",
@@ -256,10 +256,10 @@ const Section coverage_section("coverage", [] {
         return test::makeFoldedPlane({45, 45, 1, 0.25, std::stod(noise), seed}, fold);
       };
       const std::string head = surface + ", " + noise + ", ";
-      for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense})
+      for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense})
         for (const double length : {3.0, 0.0})
           printCoverage(
-              head + (rule == DeWallRule::Paper ? "paper" : "dense") +
+              head + (rule == DeWallRule::Guarded ? "guarded" : "dense") +
                   (length > 0 ? ", L = 3" : ", automatic L"),
               makeSheet,
               [&](const SheetCloud& s) { return deWall(s.cloud, rule, length); });

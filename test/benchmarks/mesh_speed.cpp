@@ -51,7 +51,7 @@ meshMap(DeWallRule rule)
 const Section map_section("map", [] {
   printHead("mesher | points | triangles | CPU s | CPU us a point | points used % | "
             "peak on top of the input, bytes a point | GB");
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense}) {
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense}) {
     const MapRun run = runInChild([&] { return meshMap(rule); });
     const auto points = static_cast<double>(run.points);
     const auto peak = static_cast<double>(run.peak);
@@ -104,7 +104,7 @@ std::vector<SpeedMesher>
 speedMeshers(const SpeedView& view, std::size_t rounds)
 {
   std::vector<SpeedMesher> all;
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense})
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense})
     all.push_back({ruleName(rule), rounds, [&view, rule] {
                      return meshRaw(view.points(), rule).mesh.triangles;
                    }});
@@ -186,7 +186,7 @@ const Section crops_section("crops", [] {
     };
     raw.push_back(
         each(medianThread(std::min(rounds, raw_rounds),
-                          [&] { meshRaw(cloud.points(), DeWallRule::Paper); }),
+                          [&] { meshRaw(cloud.points(), DeWallRule::Guarded); }),
              cloud.size()));
     ConsolidationReport report;
     const Consolidation consolidation = consolidate(cloud, voxel, report);
@@ -249,7 +249,7 @@ const Section threads_section("threads", [] {
     std::optional<Triangles> first;
     const auto mesh = [&](unsigned threads) {
       const Triangles found =
-          meshRaw(cloud.points(), DeWallRule::Paper, threads).mesh.triangles;
+          meshRaw(cloud.points(), DeWallRule::Guarded, threads).mesh.triangles;
       are_same = are_same && (!first || *first == found);
       first = found;
     };

@@ -39,7 +39,7 @@ TEST(PaperDefaults, areThePapersNumbers)
   const registration::TransformationEstimationPlanar<PointXYZ, PointXYZ> fit;
   EXPECT_EQ(fit.getMotionModel(), MotionModel::Planar);
   EXPECT_EQ(fit.getSolver(), MotionSolver::ConjugateGradient);
-  EXPECT_EQ(DeWallTriangulation<PointXYZ>().getAcceptanceRule(), DeWallRule::Paper);
+  EXPECT_EQ(DeWallTriangulation<PointXYZ>().getAcceptanceRule(), DeWallRule::Guarded);
   EXPECT_EQ(PlaneTexturing<PointXYZRGB>().getMaximumDistance(), 0.3);
 
   PlaneHypothesisClustering<PointNormal> clustering;

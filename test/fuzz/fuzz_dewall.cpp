@@ -24,8 +24,10 @@ struct DeWallTask {
 
   explicit DeWallTask(FuzzedBytes bytes)
   {
-    constexpr DeWallRule rules[] = {
-        DeWallRule::Paper, DeWallRule::Dense, DeWallRule::Paper, DeWallRule::Strict};
+    constexpr DeWallRule rules[] = {DeWallRule::Guarded,
+                                    DeWallRule::Dense,
+                                    DeWallRule::Guarded,
+                                    DeWallRule::Strict};
     constexpr std::int32_t leaf_sizes[] = {0, 8, 16, 20};
     const std::uint8_t choice = bytes.byte();
     settings.rule = rules[choice & 3];
@@ -161,7 +163,7 @@ requireComplete(const DeWallTask& task,
   CompletenessRule rule;
   rule.edge_allowed = noLongerThan(judged, longestAllowed(task, report));
   rule.turn_limit = M_PI / 2;
-  require((task.settings.rule == DeWallRule::Paper
+  require((task.settings.rule == DeWallRule::Guarded
                ? missingUnderPaperRule(judged, mesh.triangles, rule)
                : missingUnderDenseRule(judged, mesh.triangles, rule))
               .empty());

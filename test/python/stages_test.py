@@ -200,11 +200,11 @@ class Settings(unittest.TestCase):
 
     def test_rules(self):
         wall = noisy_wall(5000)
-        paper, dense = (acmap.triangulate(wall, rule=rule) for rule in ("paper", "dense"))
-        self.assertGreater(dense.report.triangles, paper.report.triangles)
+        guarded, dense = (acmap.triangulate(wall, rule=rule) for rule in ("guarded", "dense"))
+        self.assertGreater(dense.report.triangles, guarded.report.triangles)
         strict = acmap.triangulate(wall, rule="strict", compute_wall_depth=True)
         self.assertGreater(strict.report.walls, 3)
-        self.assertEqual((paper.report.walls, paper.report.crowded_edges), (0, 0))
+        self.assertEqual((guarded.report.walls, guarded.report.crowded_edges), (0, 0))
         self.assertEqual(strict.wall_depth[0], 0)
 
     def test_paper_thresholds_find_the_wall(self):
@@ -233,8 +233,8 @@ class Settings(unittest.TestCase):
         view = room_view(noise=0.02)
         mesh = acmap.triangulate(view)
         ours, paper = (acmap.vote_normals(view, mesh, paper=paper) for paper in (False, True))
-        self.assertGreater(paper.report.votes, ours.report.votes, "near triangles vote too")
-        self.assertLess(paper.report.unknown, ours.report.unknown + 1)
+        self.assertGreater(guarded.report.votes, ours.report.votes, "near triangles vote too")
+        self.assertLess(guarded.report.unknown, ours.report.unknown + 1)
         page = acmap.vote_normals(
             view, mesh, paper=True, crease_weight=2, corner_weight=2
         )

@@ -39,7 +39,7 @@ class SameAsTheTools(unittest.TestCase):
 
     def test_meshes(self):
         for name, points in (("view", room_view(noise=0.002)), ("wall", noisy_wall(3000))):
-            for rule in ("paper", "dense", "strict"):
+            for rule in ("guarded", "dense", "strict"):
                 with self.subTest(name, rule=rule):
                     cloud = self.folder / "cloud.pcd"
                     tools, ours = self.folder / "tools.ply", self.folder / "ours.ply"

@@ -97,19 +97,39 @@ TEST(PaperMode, moreThanFiftySupporters)
       0U);
 }
 
-/** Supporters are near the hypothesis, not near other supporters: one wall comes as many
- * planes. */
-TEST(PaperMode, distanceIsToTheHypothesis)
+/** II-C.2 (ii): supporters are near one that was considered before as part of the plane, and
+ * a wall is whole. */
+TEST(PaperMode, distanceIsToAnyMember)
 {
+  for (const double x : {1.17, 1.19}) { // the last column is at 0.38
+    Hypotheses cloud;
+    addGrid(cloud, 20, 3, 0);
+    cloud.push_back(hypothesis({x, 0, 0}, {0, 0, 1}));
+    EXPECT_EQ(supportOf(cloud), x < 1.18 ? 61U : 60U) << x;
+  }
+  Hypotheses wall;
+  addGrid(wall, 200, 20, 0, {0, 0, 1}, 0.05);
+  EXPECT_EQ(supportOf(wall), wall.size());
+}
+
+/** The other reading, (i) alone: supporters are near the hypothesis, and one wall comes as many
+ * planes. */
+TEST(PaperMode, distanceIsToTheHypothesisIfAskedFor)
+{
+  const auto to_hypothesis = [](PaperClustering& clustering) {
+    clustering.setSupporterReach(SupporterReach::Hypothesis);
+  };
   for (const double x : {0.79, 0.81}) {
     Hypotheses cloud;
     addGrid(cloud, 20, 3, 0);
     cloud.push_back(hypothesis({x, 0, 0}, {0, 0, 1}));
-    EXPECT_EQ(supportOf(cloud), x < 0.8 ? 61U : 60U) << x;
+    const Clustered found = clusterAsPaper(cloud, to_hypothesis);
+    ASSERT_EQ(found.patches.size(), 1U);
+    EXPECT_EQ(found.patches[0].support, x < 0.8 ? 61U : 60U) << x;
   }
   Hypotheses wall;
   addGrid(wall, 200, 20, 0, {0, 0, 1}, 0.05);
-  const Clustered found = clusterAsPaper(wall);
+  const Clustered found = clusterAsPaper(wall, to_hypothesis);
   EXPECT_GE(found.patches.size(), 7U);
   EXPECT_EQ(found.report.merged, 0U);
   std::vector<double> minimum(found.patches.size(), 1e9), maximum(minimum.size(), -1e9);

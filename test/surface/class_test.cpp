@@ -36,18 +36,19 @@ TEST(DeWallClass, facesLookTowardsTheSensor)
   Cloud cap = makeSphereCap({40, 40, 0.02, 0.25, 0, 1}, 0.5).cloud;
   for (const float height : {0.0F, 3.0F}) {
     cap.sensor_origin_ = Eigen::Vector4f(0, 0, height, 1);
-    for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense})
+    for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense})
       EXPECT_GT(shareFacing(triangulate(cap, {rule, 0.06}), {0, 0, height}), 0.995);
   }
   Cloud room = makeRoom(0.1, 0.02, 1);
-  EXPECT_GT(shareFacing(triangulate(room, {DeWallRule::Paper, 0.25}), {0, 0, 0}), 0.99);
+  EXPECT_GT(shareFacing(triangulate(room, {DeWallRule::Guarded, 0.25}), {0, 0, 0}),
+            0.99);
 }
 
 TEST(DeWallClass, eachComponentLooksTowardsTheSensor)
 {
   Cloud cloud = makeParallelSheets({20, 20, 0.02, 0.25, 0, 1}, 1);
   cloud.sensor_origin_ = Eigen::Vector4f(0, 0, 0.5F, 1);
-  const DeWallResult result = triangulate(cloud, {DeWallRule::Paper, 0.06});
+  const DeWallResult result = triangulate(cloud, {DeWallRule::Guarded, 0.06});
   EXPECT_EQ(result.report.components, 2U);
   EXPECT_EQ(shareFacing(result, {0, 0, 0.5}), 1);
 }
@@ -56,7 +57,7 @@ TEST(DeWallClass, wallOfTheFirstPlaneIsCutByOnePlane)
 {
   const Cloud cloud = makeJitteredPlane({40, 40, 1, 0.25, 0.05, 1}).cloud;
   const DeWallResult result =
-      triangulateInLeaves(cloud, {DeWallRule::Paper, 3, 1, true}, 50);
+      triangulateInLeaves(cloud, {DeWallRule::Guarded, 3, 1, true}, 50);
   const auto& depth = result.mesh.wall_depth;
   ASSERT_EQ(depth.size(), result.mesh.triangles.size());
   std::size_t first_wall = 0;
@@ -84,12 +85,12 @@ TEST(DeWallClass, wallOfTheFirstPlaneIsCutByOnePlane)
 TEST(DeWallClass, wallDepthIsAbsentUnlessAskedFor)
 {
   const Cloud cloud = makeGrid(10, 10, 1, ExactPlane::Level);
-  EXPECT_TRUE(triangulate(cloud, {DeWallRule::Paper, 2}).mesh.wall_depth.empty());
+  EXPECT_TRUE(triangulate(cloud, {DeWallRule::Guarded, 2}).mesh.wall_depth.empty());
 }
 
 TEST(DeWallClass, moebiusBandIsCutAndSaid)
 {
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense}) {
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense}) {
     const DeWallRun run{rule, 0.25};
     const DeWallResult result = triangulate(makeMoebiusBand(60, 6, 1, 0.5, 7), run);
     EXPECT_TRUE(keepsGuarantees(result, run));
@@ -116,7 +117,7 @@ TEST(DeWallClass, strictRuleIsThePapersAndNotManifold)
 TEST(DeWallClass, automaticLengthFollowsTheDensity)
 {
   const SheetCloud sheet = makeGradedPlane({60, 90, 0.01, 0.2, 0.05, 3}, 10);
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense}) {
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense}) {
     const DeWallResult result = triangulate(sheet.cloud, {rule, 0});
     EXPECT_TRUE(keepsGuarantees(result, {rule, 0}));
     EXPECT_LT(measureCoverage(sheet, result.mesh.triangles).uncovered, 3);
@@ -132,7 +133,7 @@ TEST(DeWallClass, automaticLengthLeavesGapsOpen)
   Eigen::Isometry3d aside = Eigen::Isometry3d::Identity();
   aside.translation().x() = 0.4;
   cloud += moved(cloud, aside);
-  const DeWallResult result = triangulate(cloud, {DeWallRule::Paper, 0});
+  const DeWallResult result = triangulate(cloud, {DeWallRule::Guarded, 0});
   EXPECT_EQ(result.report.components, 2U);
   EXPECT_LT(result.report.largest_maximum_edge, 0.08);
 }
@@ -154,7 +155,7 @@ TEST(DeWallClass, indicesChooseThePoints)
   TriangleMesh mesh;
   dewall.reconstruct(mesh);
   EXPECT_EQ(dewall.getReport().points, chosen.size());
-  const TriangleMesh alone = triangulate(chosen, {DeWallRule::Paper, 2.5}).mesh;
+  const TriangleMesh alone = triangulate(chosen, {DeWallRule::Guarded, 2.5}).mesh;
   EXPECT_EQ(asSets(mesh.triangles), asSets(alone.triangles, *indices));
 }
 
@@ -180,7 +181,7 @@ TEST(DeWallClass, cloudBeyondTheMemoryLimitIsRefused)
   EXPECT_EQ(dewall.getMemoryLimit(), 1000000U);
   EXPECT_THROW(dewall.reconstruct(mesh), MemoryLimitException);
   EXPECT_EQ(mesh.triangles.size(), 1U) << "a refusal leaves the output alone";
-  dewall.setMemoryLimit(estimateDeWallMemory(cloud.size(), false, DeWallRule::Paper));
+  dewall.setMemoryLimit(estimateDeWallMemory(cloud.size(), false, DeWallRule::Guarded));
   EXPECT_NO_THROW(dewall.reconstruct(mesh));
   EXPECT_GT(mesh.triangles.size(), 1U);
 }
@@ -194,8 +195,8 @@ TEST(DeWallClass, organizedCloudWithHolesIsMeshedAroundThem)
   for (std::size_t row = 10; row < 20; ++row)
     for (std::size_t column = 10; column < 20; ++column)
       cloud.at(column, row).x = std::numeric_limits<float>::quiet_NaN();
-  const DeWallResult result = triangulate(cloud, {DeWallRule::Paper, 0.5});
-  EXPECT_TRUE(keepsGuarantees(result, {DeWallRule::Paper, 0.5}));
+  const DeWallResult result = triangulate(cloud, {DeWallRule::Guarded, 0.5});
+  EXPECT_TRUE(keepsGuarantees(result, {DeWallRule::Guarded, 0.5}));
   EXPECT_EQ(result.report.invalid_points, 100U);
   const std::size_t cut_corners = 4;
   EXPECT_EQ(result.mesh.triangles.size(), 2U * (39 * 29 - 11 * 11) + cut_corners);
@@ -212,7 +213,7 @@ TEST(DeWallClass, objectMeshesASmallerCloudAfterALarger)
     dewall.setInputCloud(cloud.makeShared());
     ASSERT_NO_THROW(dewall.reconstruct(mesh)) << size << " points a side";
     EXPECT_EQ(mesh.triangles,
-              triangulate(cloud, {DeWallRule::Paper, 2.5}).mesh.triangles);
+              triangulate(cloud, {DeWallRule::Guarded, 2.5}).mesh.triangles);
   }
 }
 

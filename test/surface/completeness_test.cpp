@@ -59,7 +59,7 @@ protected:
     demands.edge_allowed = noLongerThan(result.points, small.length);
     demands.turn_limit = turn_limit;
     const auto missing =
-        rule == DeWallRule::Paper
+        rule == DeWallRule::Guarded
             ? missingUnderPaperRule(result.points, result.mesh.triangles, demands)
             : missingUnderDenseRule(result.points, result.mesh.triangles, demands);
     EXPECT_TRUE(missing.empty())
@@ -71,9 +71,9 @@ protected:
 
 TEST_P(DeWallCompleteness, paperMeshTakesNoFurtherTriangle)
 {
-  expectComplete(DeWallRule::Paper, 100000);
-  expectComplete(DeWallRule::Paper, 16);
-  expectComplete(DeWallRule::Paper, 8);
+  expectComplete(DeWallRule::Guarded, 100000);
+  expectComplete(DeWallRule::Guarded, 16);
+  expectComplete(DeWallRule::Guarded, 8);
 }
 
 TEST_P(DeWallCompleteness, denseMeshTakesNoFurtherTriangle)

@@ -127,7 +127,7 @@ keepsGuarantees(const DeWallResult& result, const DeWallRun& run)
   MeshDemands demands;
   demands.edge_allowed = noLongerThan(
       result.points, run.length > 0 ? run.length : result.report.largest_maximum_edge);
-  demands.empty_spheres = run.rule == DeWallRule::Paper;
+  demands.empty_spheres = run.rule == DeWallRule::Guarded;
   const MeshFaults faults = checkMesh(result.points, result.mesh.triangles, demands);
   if (faults.total() > 0)
     return testing::AssertionFailure() << faults;
@@ -169,8 +169,8 @@ asSets(const Triangles& triangles, const std::vector<std::int32_t>& names)
 std::string
 nameOf(DeWallRule rule)
 {
-  return rule == DeWallRule::Paper ? "paper"
-                                   : (rule == DeWallRule::Dense ? "dense" : "strict");
+  return rule == DeWallRule::Guarded ? "guarded"
+                                     : (rule == DeWallRule::Dense ? "dense" : "strict");
 }
 
 } // namespace pcl::acmap::test

@@ -30,7 +30,7 @@ syntheticCases();
 
 /** \brief Settings of a run. */
 struct DeWallRun {
-  DeWallRule rule = DeWallRule::Paper;
+  DeWallRule rule = DeWallRule::Guarded;
   double length = 0;
   unsigned threads = 1;
   bool depth = false;

@@ -69,7 +69,7 @@ movableCases()
 INSTANTIATE_TEST_SUITE_P(Synthetic,
                          DeWallEquivariance,
                          testing::Combine(testing::ValuesIn(movableCases()),
-                                          testing::Values(DeWallRule::Paper,
+                                          testing::Values(DeWallRule::Guarded,
                                                           DeWallRule::Dense)),
                          [](const auto& info) {
                            return syntheticCases()[std::get<0>(info.param)].name + "_" +

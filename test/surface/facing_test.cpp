@@ -205,7 +205,7 @@ TEST_P(FacingByNormals, isTheSameForEveryNumberOfThreads)
 
 INSTANTIATE_TEST_SUITE_P(Rules,
                          FacingByNormals,
-                         testing::Values(DeWallRule::Paper, DeWallRule::Dense));
+                         testing::Values(DeWallRule::Guarded, DeWallRule::Dense));
 
 } // namespace
 } // namespace pcl::acmap::test

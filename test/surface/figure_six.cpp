@@ -47,7 +47,7 @@ FigureSix::third(const Side& side)
     return -1;
   const auto [center, radius] =
       smallestCircumsphere(points_[a], points_[b], points_[p]);
-  for (Index i = 0; i < Index(points_.size()); ++i)
+  for (const Index i : cluster_)
     if (i != a && i != b && i != p &&
         (points_[i] - center).norm() < (1 - 1e-6) * radius)
       return -1;
@@ -71,13 +71,16 @@ FigureSix::first(const std::function<bool(Index)>& isLeft, Index plane, int axis
 }
 
 void
-FigureSix::build(Part part, std::deque<Side> cut)
+FigureSix::build(Part part, std::deque<Side> cut, std::optional<int> axis_before)
 {
   Eigen::AlignedBox3d box;
   for (const Index i : part)
     box.extend(points_[i]);
+  Eigen::Vector3d widths = box.sizes();
+  if (axis_before)
+    widths[*axis_before] = -1; // Fig. 5: the next plane is orthogonal to the one before
   int axis = 0;
-  box.sizes().maxCoeff(&axis);
+  widths.maxCoeff(&axis);
   const auto place = [&](Index i) { return std::pair(points_[i][axis], i); };
   part = sorted(part, place);
   const auto middle = part.begin() + part.size() / 2;
@@ -105,9 +108,9 @@ FigureSix::build(Part part, std::deque<Side> cut)
   }
   walls_ += has_plane && found_.size() > before;
   if (!left.empty())
-    build(Part(part.begin(), middle), left);
+    build(Part(part.begin(), middle), left, axis);
   if (!right.empty())
-    build(Part(middle, part.end()), right);
+    build(Part(middle, part.end()), right, axis);
 }
 
 Triangles
@@ -127,7 +130,7 @@ FigureSix::mesh(std::size_t leaf_size)
           is_taken[j] = true;
         }
     if (cluster_.size() >= 3)
-      build(cluster_, {});
+      build(cluster_, {}, std::nullopt);
   }
   return found_;
 }

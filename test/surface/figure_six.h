@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -65,7 +66,7 @@ private:
   first(const std::function<bool(Index)>& isLeft, Index plane, int axis);
 
   void
-  build(Part part, std::deque<Side> cut);
+  build(Part part, std::deque<Side> cut, std::optional<int> axis_before);
 
   static constexpr double none = std::numeric_limits<double>::infinity();
   const Points points_;

@@ -100,7 +100,7 @@ private:
 TriangleMesh
 meshOf(const Cloud& cloud,
        const std::optional<Vector3d>& up,
-       DeWallRule rule = DeWallRule::Paper,
+       DeWallRule rule = DeWallRule::Guarded,
        unsigned threads = 2)
 {
   DeWallTriangulation<PointXYZ> dewall;
@@ -172,7 +172,7 @@ TEST(FreeSpace, groundFacesUpWithEveryRule)
   Scene scene;
   scene.add({0, 0, 100}, {10, 0, 0}, {0, 10, 1});
   for (const DeWallRule rule :
-       {DeWallRule::Paper, DeWallRule::Dense, DeWallRule::Strict}) {
+       {DeWallRule::Guarded, DeWallRule::Dense, DeWallRule::Strict}) {
     const auto [faces, backs] =
         scene.countBacks(meshOf(scene.cloud, Vector3d::UnitZ(), rule));
     EXPECT_GT(faces, 10000U);
@@ -186,10 +186,10 @@ TEST(FreeSpace, sameBytesWithEveryNumberOfThreads)
 {
   const Scene scene = makeBuilding();
   const TriangleMesh expected =
-      meshOf(scene.cloud, Vector3d::UnitZ(), DeWallRule::Paper, 1);
+      meshOf(scene.cloud, Vector3d::UnitZ(), DeWallRule::Guarded, 1);
   for (const unsigned threads : {2U, 5U})
     EXPECT_EQ(
-        meshOf(scene.cloud, Vector3d::UnitZ(), DeWallRule::Paper, threads).triangles,
+        meshOf(scene.cloud, Vector3d::UnitZ(), DeWallRule::Guarded, threads).triangles,
         expected.triangles);
 }
 

@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
     Synthetic,
     DeWallGuarantees,
     testing::Combine(testing::Range<std::size_t>(0, syntheticCases().size()),
-                     testing::Values(DeWallRule::Paper, DeWallRule::Dense)),
+                     testing::Values(DeWallRule::Guarded, DeWallRule::Dense)),
     [](const auto& info) {
       return syntheticCases()[std::get<0>(info.param)].name + "_" +
              nameOf(std::get<1>(info.param));

@@ -42,7 +42,7 @@ TEST(DeWallInFiles, sameBytesAsInMemory)
 {
   const Cloud cloud = noisyPlane();
   const CloudRows rows = rowsOf(cloud);
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense}) {
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense}) {
     TriangleMesh in_memory, in_files;
     triangulateRows(rows, rule, in_memory);
     const ScratchMemory scratch(testing::TempDir(), least_resident);
@@ -58,9 +58,9 @@ TEST(DeWallInFiles, sameBytesAsInMemory)
 TEST(DeWallInFiles, countsOnlyWhatStaysInMemory)
 {
   constexpr std::size_t points = 100000000;
-  const std::size_t all = estimateDeWallMemory(points, true, DeWallRule::Paper);
+  const std::size_t all = estimateDeWallMemory(points, true, DeWallRule::Guarded);
   const ScratchMemory scratch(testing::TempDir(), least_resident);
-  const std::size_t rest = estimateDeWallMemory(points, true, DeWallRule::Paper);
+  const std::size_t rest = estimateDeWallMemory(points, true, DeWallRule::Guarded);
   EXPECT_GT(all, std::size_t{17} * 1000 * 1000 * 1000);
   EXPECT_LT(rest, std::size_t{1} * 1000 * 1000 * 1000);
   EXPECT_GT(rest, least_resident);

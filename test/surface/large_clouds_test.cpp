@@ -34,7 +34,7 @@ TEST(DeWallOnLargeCloud, rawView)
   for (const ObservationPixel& pixel : seen.pixels)
     if (std::isfinite(pixel.x))
       cloud.emplace_back(pixel.x, pixel.y, pixel.z);
-  expectGuarantees(cloud, DeWallRule::Paper);
+  expectGuarantees(cloud, DeWallRule::Guarded);
   expectGuarantees(cloud, DeWallRule::Dense);
 }
 
@@ -51,7 +51,7 @@ TEST(DeWallOnLargeCloud, roomScan)
     GTEST_SKIP() << "no xz to unpack " << path;
   Cloud cloud;
   fromPCLPointCloud2(loadPointCloud(folder.path("room.ply")).cloud, cloud);
-  expectGuarantees(cloud, DeWallRule::Paper);
+  expectGuarantees(cloud, DeWallRule::Guarded);
 }
 
 } // namespace

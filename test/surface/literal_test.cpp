@@ -4,7 +4,12 @@
 #include <pcl/surface/impl/dewall_kernel.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace pcl::acmap::test {
 namespace {
@@ -155,7 +160,7 @@ TEST(DeWallLiteralUgly, memoryLimitIsThatOfTheRule)
   dewall.setInputCloud(cloud.makeShared());
   dewall.setAcceptanceRule(strict);
   TriangleMesh mesh;
-  dewall.setMemoryLimit(estimateDeWallMemory(cloud.size(), false, DeWallRule::Paper));
+  dewall.setMemoryLimit(estimateDeWallMemory(cloud.size(), false, DeWallRule::Guarded));
   EXPECT_THROW(dewall.reconstruct(mesh), MemoryLimitException);
   dewall.setMemoryLimit(estimateDeWallMemory(cloud.size(), false, strict));
   EXPECT_NO_THROW(dewall.reconstruct(mesh));
@@ -178,6 +183,85 @@ TEST(DeWallLiteralClusters, eachHasItsOwnPlanes)
   auto depth = alone.mesh.wall_depth;
   depth.insert(depth.end(), alone.mesh.wall_depth.begin(), alone.mesh.wall_depth.end());
   EXPECT_EQ(both.mesh.wall_depth, depth);
+}
+
+/** P is the cluster: what lies in the sphere of a flat triangle, but out of reach of it, is of
+ * another one. */
+TEST(DeWallLiteralClusters, spheresAreEmptyOfTheirOwnPoints)
+{
+  Cloud cloud;
+  for (const auto& [x, y] : {std::pair(0.0F, 0.0F),
+                             {2.0F, 0.0F},
+                             {1.0F, 0.3F},
+                             {1.0F, -3.2F},
+                             {1.2F, -3.1F},
+                             {0.8F, -3.1F}})
+    cloud.emplace_back(x, y, 0.0F);
+  const DeWallResult found = triangulate(cloud, {strict, 2.1});
+  EXPECT_EQ(found.report.clusters, 2U);
+  EXPECT_EQ(asSets(found.mesh.triangles), Triangles({{0, 1, 2}, {3, 4, 5}}));
+}
+
+/** Does a triangle cross the median plane of one of the parts of its depth? The planes of a
+ * corridor that is long along x, and higher than wide: across x, then y, then x or z.
+ * \param[in] part indices of its points
+ * \param[in] axis_before of the plane that made the part; -1: none */
+bool
+crossesAPlane(const DeWallResult& result,
+              const std::array<std::int32_t, 3>& corners,
+              int depth,
+              std::vector<std::int32_t> part,
+              int axis_before)
+{
+  const auto width = [&](int axis) {
+    double low = INFINITY, high = -INFINITY;
+    for (const std::int32_t i : part) {
+      low = std::min<double>(low, result.points[i][axis]);
+      high = std::max<double>(high, result.points[i][axis]);
+    }
+    return high - low;
+  };
+  std::vector<int> axes;
+  for (const int axis : {0, 1, 2})
+    if (axis != axis_before)
+      axes.push_back(axis);
+  const int axis = *std::max_element(
+      axes.begin(), axes.end(), [&](int a, int b) { return width(a) < width(b); });
+  const auto place = [&](std::int32_t i) {
+    return std::pair(result.points[i][axis], i);
+  };
+  std::sort(part.begin(), part.end(), [&](std::int32_t i, std::int32_t j) {
+    return place(i) < place(j);
+  });
+  const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
+  if (depth == 0) {
+    const auto is_left = [&](std::int32_t i) { return place(i) < place(*middle); };
+    const auto count = std::count_if(corners.begin(), corners.end(), is_left);
+    return count > 0 && count < 3;
+  }
+  return crossesAPlane(result, corners, depth - 1, {part.begin(), middle}, axis) ||
+         crossesAPlane(result, corners, depth - 1, {middle, part.end()}, axis);
+}
+
+/** Fig. 5: a new splitting plane is orthogonal to the one before. */
+TEST(DeWallLiteralWalls, takeTurns)
+{
+  const Cloud cloud = makeCorridorView(600, 3);
+  const DeWallResult result = triangulate(cloud, {strict, 0.8, 1, true});
+  std::vector<std::int32_t> all(result.points.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::array<std::size_t, 3> counts{};
+  ASSERT_EQ(result.report.clusters, 1U);
+  for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
+    const int depth = result.mesh.wall_depth[t];
+    if (depth > 2)
+      continue;
+    ++counts[static_cast<std::size_t>(depth)];
+    EXPECT_TRUE(crossesAPlane(result, result.mesh.triangles[t], depth, all, -1))
+        << "triangle " << t << " of depth " << depth;
+  }
+  for (const std::size_t count : counts)
+    EXPECT_GT(count, 5U);
 }
 
 /** The wall of the first call consists of the triangles that the first plane cuts. */
@@ -208,7 +292,7 @@ TEST(DeWallLiteralWalls, crossTheFirstPlane)
 TEST(DeWallLiteralWalls, areCountedForEveryRule)
 {
   const Cloud cloud = makeJitteredPlane({16, 12, 1, 0.25, 0.1, 5}).cloud;
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense}) {
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense}) {
     EXPECT_EQ(triangulate(cloud, {rule, 3}).report.walls, 0U) << "not divided";
     EXPECT_EQ(triangulateInLeaves(cloud, {rule, 3}, 100).report.walls, 1U);
     EXPECT_EQ(triangulateInLeaves(cloud, {rule, 3}, 50).report.walls, 3U);
@@ -216,9 +300,9 @@ TEST(DeWallLiteralWalls, areCountedForEveryRule)
   }
   EXPECT_EQ(triangulateInLeaves(cloud, {strict, 3}, 1000).report.walls, 0U);
   Cloud large = makeGrid(256, 256, 1, ExactPlane::Level);
-  EXPECT_EQ(triangulate(large, {DeWallRule::Paper, 2}).report.walls, 0U);
+  EXPECT_EQ(triangulate(large, {DeWallRule::Guarded, 2}).report.walls, 0U);
   large.emplace_back(-1.0F, 0.0F, large[0].z);
-  EXPECT_EQ(triangulate(large, {DeWallRule::Paper, 2}).report.walls, 1U);
+  EXPECT_EQ(triangulate(large, {DeWallRule::Guarded, 2}).report.walls, 1U);
 }
 
 /** p1 is on the plane; its nearest point on the other side is not the nearest to the

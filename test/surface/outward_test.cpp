@@ -86,7 +86,7 @@ TEST(Outward, isNotWhatMayBeARoomOrIsOpen)
 TEST(Outward, isWhatIsStated)
 {
   for (const DeWallRule rule :
-       {DeWallRule::Paper, DeWallRule::Dense, DeWallRule::Strict}) {
+       {DeWallRule::Guarded, DeWallRule::Dense, DeWallRule::Strict}) {
     Cloud cloud = makeBall({1, 1, 0}, 3);
     cloud.sensor_origin_ << 1, 1, 0, 1;
     DeWallTriangulation<PointXYZ> dewall = dewallOf(cloud);

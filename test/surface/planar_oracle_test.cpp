@@ -87,7 +87,7 @@ protected:
 TEST_P(DeWallOnPlane, equalsDelaunayInsideTheSizeConstraint)
 {
   for (const double length : {0.2, 0.08, 0.05}) {
-    const DeWallResult result = triangulate(cloud_, {DeWallRule::Paper, length});
+    const DeWallResult result = triangulate(cloud_, {DeWallRule::Guarded, length});
     const Triangles ours = asSets(result.mesh.triangles);
     const Triangles wanted =
         within(result.points, delaunay(result.points, plane_), length);
@@ -103,7 +103,7 @@ TEST_P(DeWallOnPlane, equalsDelaunayInsideTheSizeConstraint)
 
 TEST_P(DeWallOnPlane, equalsDelaunayWithoutLimit)
 {
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense})
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense})
     for (const std::int32_t leaf_size : {16, 100000}) {
       const DeWallResult result = triangulateInLeaves(cloud_, {rule, 10}, leaf_size);
       EXPECT_EQ(asSets(result.mesh.triangles), delaunay(result.points, plane_))
@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Random,
 TEST(DeWallOnGrid, isADelaunayTriangulation)
 {
   for (const ExactPlane plane : {ExactPlane::Level, ExactPlane::Inclined})
-    for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense})
+    for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense})
       for (const double length : {0.5, 1.0, 20.0})
         for (const std::int32_t leaf_size : {16, 100000}) {
           const DeWallResult result = triangulateInLeaves(
@@ -156,7 +156,7 @@ TEST(DeWallOnGrid, isADelaunayTriangulation)
 void
 expectADelaunayTriangulation(const Cloud& cloud, ExactPlane plane)
 {
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense})
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense})
     for (const std::int32_t leaf_size : {16, 100000}) {
       const DeWallResult result = triangulateInLeaves(cloud, {rule, 200}, leaf_size);
       const Triangles oracle = delaunay(result.points, plane);

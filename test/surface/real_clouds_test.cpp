@@ -38,7 +38,7 @@ protected:
 
 TEST_P(DeWallOnRealCloud, keepsEveryGuarantee)
 {
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense}) {
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense}) {
     const DeWallRun run{rule, 0, 0};
     const DeWallResult result = triangulate(cloud_, run);
     EXPECT_TRUE(keepsGuarantees(result, run)) << nameOf(rule);
@@ -56,9 +56,9 @@ TEST_P(DeWallOnRealCloud, keepsEveryGuarantee)
 TEST_P(DeWallOnRealCloud, sameBytesForEveryNumberOfThreads)
 {
   const TriangleMesh one =
-      triangulateInLeaves(cloud_, {DeWallRule::Paper, 0, 1}, 5000).mesh;
+      triangulateInLeaves(cloud_, {DeWallRule::Guarded, 0, 1}, 5000).mesh;
   const TriangleMesh all =
-      triangulateInLeaves(cloud_, {DeWallRule::Paper, 0, 8}, 5000).mesh;
+      triangulateInLeaves(cloud_, {DeWallRule::Guarded, 0, 8}, 5000).mesh;
   EXPECT_EQ(one.triangles, all.triangles);
 }
 

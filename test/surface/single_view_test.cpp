@@ -72,7 +72,7 @@ TEST(SingleView, isNotKnownFromAFewPixels)
 TEST(SingleView, facesItsSensorInSpiteOfNoise)
 {
   for (std::uint64_t seed = 1; seed <= 5; ++seed)
-    for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense}) {
+    for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense}) {
       const DeWallRun run{rule, 0.08};
       const DeWallResult result = triangulate(makeCornerView(seed), run);
       EXPECT_TRUE(keepsGuarantees(result, run));

@@ -7,7 +7,7 @@ namespace pcl::acmap::test {
 namespace {
 
 constexpr DeWallRule all_rules[] = {
-    DeWallRule::Paper, DeWallRule::Dense, DeWallRule::Strict};
+    DeWallRule::Guarded, DeWallRule::Dense, DeWallRule::Strict};
 
 /** Expects an empty mesh and a remark that says why. */
 void
@@ -42,7 +42,7 @@ TEST(DeWallUgly, nearlyCollinearPointsKeepTheGuarantees)
   Cloud line;
   for (int i = 0; i < 300; ++i)
     line.push_back({0.1F * static_cast<float>(i), 0.3F * static_cast<float>(i), 0.7F});
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense})
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense})
     for (const double length : {0.0, 1.5})
       EXPECT_TRUE(keepsGuarantees(triangulate(line, {rule, length}), {rule, length}));
 }
@@ -77,14 +77,14 @@ TEST(DeWallUgly, fewPointsHaveNoNeighboursButEachOther)
   Cloud huge;
   for (const float far : {0.0F, 3e38F, -3e38F})
     huge.push_back({far, std::abs(far), 1});
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense})
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense})
     EXPECT_TRUE(keepsGuarantees(triangulate(huge, {rule}), {rule})) << nameOf(rule);
 }
 
 TEST(DeWallUgly, unitsBeyondAllReasonKeepTheGuarantees)
 {
   const Cloud sheet = makeJitteredPlane({10, 10, 1, 0.25, 0.2, 8}).cloud;
-  const DeWallRun run{DeWallRule::Paper, 0};
+  const DeWallRun run{DeWallRule::Guarded, 0};
   const std::size_t triangles = triangulate(sheet, run).mesh.triangles.size();
   for (const float factor : {1e-30F, 1e-20F, 1e20F, 1e30F}) {
     const DeWallResult result = triangulate(scaled(sheet, factor), run);
@@ -122,7 +122,7 @@ TEST(DeWallUgly, spheresMayLeaveTheFloats)
   cloud.push_back({0, 1.00007016F * near, 0}); // its sphere with the two others has a
                                                // radius of 2e43 m
   cloud.push_back({-maximum, -maximum, 0});    // inside that sphere, by 3e38 m
-  const DeWallResult result = triangulate(cloud, {DeWallRule::Paper});
+  const DeWallResult result = triangulate(cloud, {DeWallRule::Guarded});
   MeshDemands demands;
   demands.empty_spheres = true;
   demands.sphere_tolerance = 1e-5;
@@ -141,7 +141,7 @@ TEST(DeWallUgly, oneTriangle)
 TEST(DeWallUgly, outlierDoesNotHarmTheRest)
 {
   const Cloud sheet = makeJitteredPlane({30, 30, 0.02, 0.25, 0.1, 8}).cloud;
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense})
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense})
     for (const double length : {0.0, 0.06}) {
       const auto clean = triangulate(sheet, {rule, length}).mesh.triangles.size();
       for (const float place : {1e9F, -1e9F, 3e38F}) {
@@ -161,8 +161,8 @@ TEST(DeWallUgly, squaresOfDistancesMayOverflow)
   for (const std::size_t size : {20, 90, 120, 300, 900}) {
     const Cloud cloud = withOutlier(makeRandomBox(size, 17), 3e38F);
     for (const double length : {0.0, 0.5})
-      EXPECT_TRUE(keepsGuarantees(triangulate(cloud, {DeWallRule::Paper, length}),
-                                  {DeWallRule::Paper, length}))
+      EXPECT_TRUE(keepsGuarantees(triangulate(cloud, {DeWallRule::Guarded, length}),
+                                  {DeWallRule::Guarded, length}))
           << size << " points, length " << length;
   }
 }
@@ -171,7 +171,7 @@ TEST(DeWallUgly, moreTiesThanTheSearchHasRoomFor)
 {
   const Cloud circle = makeExactCircle(1105, false);
   ASSERT_EQ(circle.size(), 108U);
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Dense}) {
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Dense}) {
     const DeWallRun run{rule, 3000};
     const DeWallResult result = triangulate(circle, run);
     EXPECT_TRUE(keepsGuarantees(result, run));
@@ -183,16 +183,16 @@ TEST(DeWallUgly, twoClustersFarApart)
 {
   Cloud cloud = makeJitteredPlane({20, 20, 0.02, 0.25, 0.1, 8}).cloud;
   const std::size_t each =
-      triangulate(cloud, {DeWallRule::Paper, 0.06}).report.triangles;
+      triangulate(cloud, {DeWallRule::Guarded, 0.06}).report.triangles;
   Eigen::Isometry3d aside = Eigen::Isometry3d::Identity();
   aside.translation().x() = 4096;
   cloud += moved(cloud, aside);
-  const DeWallResult result = triangulate(cloud, {DeWallRule::Paper, 0.06});
-  EXPECT_TRUE(keepsGuarantees(result, {DeWallRule::Paper, 0.06}));
+  const DeWallResult result = triangulate(cloud, {DeWallRule::Guarded, 0.06});
+  EXPECT_TRUE(keepsGuarantees(result, {DeWallRule::Guarded, 0.06}));
   EXPECT_EQ(result.report.clusters, 2U);
   cloud.emplace_back(-10.0F, 0.0F, 0.0F);
   cloud.emplace_back(-10.0F, 0.01F, 0.0F);
-  for (const DeWallRule rule : {DeWallRule::Paper, DeWallRule::Strict})
+  for (const DeWallRule rule : {DeWallRule::Guarded, DeWallRule::Strict})
     EXPECT_EQ(triangulate(cloud, {rule, 0.06}).report.clusters, 2U)
         << "two points are none";
   EXPECT_NEAR(static_cast<double>(result.report.triangles),
@@ -204,7 +204,7 @@ TEST(DeWallUgly, doubledPointsMeshLikeSingleOnes)
 {
   const Cloud sheet = makeJitteredPlane({30, 30, 0.02, 0.25, 0.1, 8}).cloud;
   for (const double length : {0.0, 0.06}) {
-    const DeWallRun run{DeWallRule::Paper, length};
+    const DeWallRun run{DeWallRule::Guarded, length};
     const DeWallResult twice = triangulate(doubled(sheet), run);
     EXPECT_EQ(twice.report.duplicate_points, sheet.size());
     EXPECT_EQ(asSets(twice.mesh.triangles),
@@ -220,7 +220,7 @@ TEST(DeWallUgly, invalidPointsMeshLikeAbsentOnes)
   for (std::size_t i = 0; i < laced.size(); ++i)
     if (laced[i].getVector3fMap().allFinite())
       places.push_back(static_cast<std::int32_t>(i));
-  const DeWallRun run{DeWallRule::Paper, 0.06};
+  const DeWallRun run{DeWallRule::Guarded, 0.06};
   const DeWallResult result = triangulate(laced, run);
   EXPECT_EQ(result.report.invalid_points, laced.size() - sheet.size());
   EXPECT_EQ(asSets(result.mesh.triangles),

@@ -65,7 +65,7 @@ TEST_P(DeWallVariants, giveTheSameMeshesOfAnySizeAndScale)
 
 INSTANTIATE_TEST_SUITE_P(Rules,
                          DeWallVariants,
-                         testing::Values(DeWallRule::Paper,
+                         testing::Values(DeWallRule::Guarded,
                                          DeWallRule::Dense,
                                          DeWallRule::Strict));
 

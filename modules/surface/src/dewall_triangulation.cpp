@@ -11,7 +11,7 @@ namespace pcl {
 void
 DeWallParameters::setAcceptanceRule(DeWallRule rule)
 {
-  if (rule != DeWallRule::Paper && rule != DeWallRule::Dense &&
+  if (rule != DeWallRule::Guarded && rule != DeWallRule::Dense &&
       rule != DeWallRule::Strict)
     acmap::refuseArgument(
         "acceptance rule", static_cast<int>(rule), "Paper, Dense or Strict");

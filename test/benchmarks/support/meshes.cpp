@@ -22,7 +22,7 @@ meshRaw(const PointView& points, DeWallRule rule, unsigned threads)
 std::string
 ruleName(DeWallRule rule)
 {
-  return rule == DeWallRule::Paper ? "DeWall paper" : "DeWall dense";
+  return rule == DeWallRule::Guarded ? "DeWall paper" : "DeWall dense";
 }
 
 TriangleMesh
@@ -32,7 +32,7 @@ meshOf(const Consolidation& consolidation, double voxel)
   if (all.empty())
     return {};
   DeWallSettings settings;
-  settings.rule = DeWallRule::Paper;
+  settings.rule = DeWallRule::Guarded;
   settings.maximum_edge_length = 2.5 * voxel;
   DeWallInput input;
   input.points =

@@ -437,7 +437,7 @@ private:
     const MeshConstruction<Vertex>::Ptr construction = mapping_.getMeshConstruction();
     const auto given =
         std::dynamic_pointer_cast<DeWallTriangulation<Vertex>>(construction);
-    const DeWallRule rule = given ? given->getAcceptanceRule() : DeWallRule::Paper;
+    const DeWallRule rule = given ? given->getAcceptanceRule() : DeWallRule::Guarded;
     if (cost_)
       cost_("triangulating this cloud",
             estimateDeWallMemory(result.vertices.size(), true, rule),

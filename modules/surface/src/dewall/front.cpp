@@ -88,7 +88,7 @@ Front::reconsider(const Candidate& candidate, const Range& range, Doubt doubt)
   Edge* base = mesh_.findOpen(side);
   if (!base)
     return;
-  const bool masked = rule_ == DeWallRule::Paper && mesh_.isSaturated(apex);
+  const bool masked = rule_ == DeWallRule::Guarded && mesh_.isSaturated(apex);
   if (masked || !tryCandidate(mesh_.propose(side, apex, base), range, doubt))
     process(side, range, doubt);
 }
@@ -100,7 +100,7 @@ Front::process(const Side& side, const Range& range, Doubt doubt)
   if (!base)
     return;
   const SideFrame frame(tree_, size_, side.a, side.b, base->opposites);
-  const bool mask = rule_ == DeWallRule::Paper;
+  const bool mask = rule_ == DeWallRule::Guarded;
   PassedOver passed_over;
   if (mask) {
     passed_over.masks = mesh_.arrays().saturated.data();

@@ -81,7 +81,7 @@ public:
   LiteralMesh
   run()
   {
-    build({0, points_.size(), 0}, {});
+    build({0, points_.size(), 0, -1}, {});
     return std::move(result_);
   }
 
@@ -92,6 +92,7 @@ private:
   struct Part {
     std::int32_t begin, end;
     int depth;
+    int axis_before; ///< of the plane of the call before; -1: none
   };
 
   /** The three lists of a call. */
@@ -120,9 +121,9 @@ private:
     result_.walls += has_wall && result_.triangles.size() > before;
     lists.cut = {};
     if (!lists.left.empty()) // 22
-      build({part.begin, middle, part.depth + 1}, std::move(lists.left));
+      build({part.begin, middle, part.depth + 1, alpha.axis}, std::move(lists.left));
     if (!lists.right.empty()) // 23
-      build({middle, part.end, part.depth + 1}, std::move(lists.right));
+      build({middle, part.end, part.depth + 1, alpha.axis}, std::move(lists.right));
   }
 
   /** \brief The while loop, lines 13 to 21. */
@@ -186,7 +187,8 @@ private:
     (is_cut ? lists.cut : is_a_left ? lists.left : lists.right).push_back(side);
   }
 
-  /** \brief Orders the part so that its points before \a middle are left of the plane. */
+  /** \brief Orders the part so that its points before \a middle are left of the plane, which is
+   * orthogonal to the one before (Fig. 5), across the wider of the two axes that are left. */
   SplittingPlane
   divide(const Part& part, std::int32_t middle)
   {
@@ -194,6 +196,8 @@ private:
     const auto begin = order_.begin() + part.begin, end = order_.begin() + part.end;
     float widest = -1;
     for (int axis = 0; axis < 3; ++axis) {
+      if (axis == part.axis_before)
+        continue;
       const auto [low, high] =
           std::minmax_element(begin, end, [&](std::int32_t i, std::int32_t j) {
             return points_.coordinate(i, axis) < points_.coordinate(j, axis);

@@ -153,8 +153,7 @@ LiteralPoints::nearestAcross(std::int32_t p1, const SplittingPlane& alpha) const
 bool
 LiteralPoints::isAccepted(std::int32_t a, std::int32_t b, std::int32_t p3) const
 {
-  return isNearEnough(a, p3) && isNearEnough(b, p3) &&
-         isSphereEmpty(all_, {indexInAll(b), indexInAll(a), indexInAll(p3)});
+  return isNearEnough(a, p3) && isNearEnough(b, p3) && isSphereEmpty(own_, {b, a, p3});
 }
 
 std::int32_t

@@ -100,7 +100,7 @@ private:
   nearestAcross(std::int32_t p1, const SplittingPlane& alpha) const;
 
   /** \brief Does p3 complete the triangle over a and b: is it near enough from both, and
-   * is no point of the cloud inside the sphere? */
+   * is no point of the cluster P inside the sphere? */
   bool
   isAccepted(std::int32_t a, std::int32_t b, std::int32_t p3) const;
 

@@ -18,7 +18,7 @@ namespace pcl {
  * \ingroup surface */
 class ACMAP_EXPORT DeWallParameters : public StageControls<DeWallReport> {
 public:
-  /** \brief Sets the acceptance rule (default \ref DeWallRule::Paper). */
+  /** \brief Sets the acceptance rule (default \ref DeWallRule::Guarded). */
   void
   setAcceptanceRule(DeWallRule rule);
 

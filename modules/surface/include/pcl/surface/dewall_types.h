@@ -14,14 +14,15 @@ namespace pcl {
 enum class DeWallRule {
   /** The paper's empty sphere condition, with a guard: at most two triangles per edge
    * and one fan per vertex. */
-  Paper,
+  Guarded,
   /** The Delaunay-nearest apex without the sphere test, with the same guard. It covers
    * noisy surfaces more densely. */
   Dense,
   /** II-C.1 and Fig. 6 as printed: connected clusters first, walls down to single points,
    * no guard and no further pass. The mesh is not manifold; it is for comparison with the
    * paper. */
-  Strict
+  Strict,
+  Paper [[deprecated("is Guarded; the paper's own rule is Strict")]] = Guarded
 };
 
 /** \brief What the faces of a mesh look at. \ingroup surface */

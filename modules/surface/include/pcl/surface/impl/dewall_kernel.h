@@ -22,7 +22,7 @@ using NeighbourDistances =
 
 /** \brief Settings of \ref triangulateDeWall; see DeWallTriangulation. */
 struct DeWallSettings {
-  DeWallRule rule = DeWallRule::Paper;
+  DeWallRule rule = DeWallRule::Guarded;
   double maximum_edge_length = 0; ///< metres; 0: automatic
   bool compute_wall_depth = false;
   std::size_t memory_limit = 0; ///< bytes without the input; 0: no limit
