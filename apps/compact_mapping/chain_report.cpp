@@ -128,7 +128,12 @@ tellChain(const ChainOptions& options,
   details["starting_point"] = nameOf(start);
   details["mode"] = options.planes.paper ? "paper" : "accurate";
   const Json& map = stages.back().told.details;
-  for (const char* name : {"observations", "finite_points", "bytes", "texture"})
+  for (const char* name : {"quality",
+                           "next_positions",
+                           "observations",
+                           "finite_points",
+                           "bytes",
+                           "texture"})
     if (map.contains(name))
       details[name] = map.at(name);
   details["planes"] = map.at("planes").size();

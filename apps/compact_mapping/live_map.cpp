@@ -6,6 +6,7 @@
 #include "map_run.h"
 #include "memory.h"
 #include "pose_options.h"
+#include "quality_report.h"
 
 #include <pcl/core/impl/part_of_progress.h>
 #include <pcl/pipeline/observation_files.h>
@@ -48,6 +49,7 @@ tellSteps(const CompactMappingReport& report, StageLog& log)
     log.tell("rectification", report.rectification->reason);
   tellMapping(report.planes, log);
   tellTexture(report.texture, log);
+  tellQuality(report, log);
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include "live_window.h"
 #include "map_stage.h"
 #include "memory.h"
+#include "quality_report.h"
 #include "reading_options.h"
 
 #include <pcl/core/cloud_rows.h>
@@ -385,6 +386,7 @@ MapRun::tellPassing(const std::string& stage, const ChainState& state)
   }
   if (stage == "texture") {
     tellTexture(report.texture, map_log_);
+    tellQuality(report, map_log_);
     if (state.work)
       tellRanks(report, map_log_);
   }

@@ -1,6 +1,7 @@
 #include "map_stage.h"
 
 #include "drawn_apart.h"
+#include "quality_report.h"
 
 #include <pcl/core/fields.h>
 #include <pcl/core/impl/map_shift.h>
@@ -316,6 +317,7 @@ writeMap(const ChainOptions& options,
   }
   timer.finish("pictures");
   tellMap(options, found, map, log);
+  log.details["plan"] = planOf(map, plan);
   return names;
 }
 

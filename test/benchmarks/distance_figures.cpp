@@ -1,4 +1,5 @@
 #include "bench.h"
+#include "faulty_sessions.h"
 #include "run_tool.h"
 #include "temporary_folder.h"
 
@@ -8,8 +9,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -25,25 +24,6 @@ struct Told {
   double deviation; ///< metres, as told
   double noise;     ///< the same of the noise of the planes alone
 };
-
-/** Number of the observation of the session with the same stamp as each of a map. */
-MappedTrajectory
-trajectoryOf(const CompactMap& map, const SessionTruth& truth)
-{
-  MappedTrajectory mapped;
-  for (std::size_t i = 0; i < map.trajectory.poses.size(); ++i) {
-    const auto& stamps = truth.trajectory.stamps;
-    const auto nearest =
-        std::min_element(stamps.begin(), stamps.end(), [&](double a, double b) {
-          const double stamp = map.trajectory.stamps[i];
-          return std::abs(a - stamp) < std::abs(b - stamp);
-        });
-    mapped.observations.push_back(static_cast<std::size_t>(nearest - stamps.begin()));
-    mapped.before.push_back(map.trajectory.poses[i]);
-    mapped.after.push_back(map.trajectory.poses[i]);
-  }
-  return mapped;
-}
 
 const TruePlane&
 planeNamed(const SessionTruth& truth, const std::string& name)
@@ -67,7 +47,7 @@ distancesOf(const std::string& folder, const std::string& session)
     plane.pose_modes.clear();
   std::vector<Told> told;
   const std::vector<PlaneDeviation> planes =
-      compareWithTruth(map, trajectoryOf(map, truth), truth).aligned.planes;
+      compareWithTruth(map, mappedTrajectory(map, truth), truth).aligned.planes;
   for (std::size_t a = 0; a < planes.size(); ++a)
     for (std::size_t b = a + 1; b < planes.size(); ++b) {
       if (!planes[a].finder || !planes[b].finder)
@@ -119,34 +99,6 @@ addRow(const std::string& name, const std::vector<Told>& told)
         << figure(percent(static_cast<std::size_t>(within), told.size()), 0);
 }
 
-/** A folder of the same clouds, whose poses have drifted as those of a robot: by 1 % and 1 mm of
- * each step, and 0.1 degrees. */
-void
-driftInto(const std::string& drifted, const std::string& session, int seed)
-{
-  const char* const times = std::getenv("ACMAP_DISTANCE_DRIFT");
-  const double factor = times ? std::atof(times) : 1;
-  const double share = 0.01 * factor, floor = 0.001 * factor,
-               turn = 0.1 * degree * factor;
-  std::filesystem::create_directories(drifted);
-  for (const auto& entry : std::filesystem::directory_iterator(session))
-    if (entry.path().extension() == ".pcd")
-      std::filesystem::create_symlink(
-          entry.path(), std::filesystem::path(drifted) / entry.path().filename());
-  Trajectory trajectory = loadTrajectory(session + "/trajectory.txt");
-  const std::vector<Eigen::Isometry3d> truth = trajectory.poses;
-  std::mt19937 random(static_cast<unsigned>(seed));
-  std::normal_distribution<double> normal;
-  for (std::size_t i = 1; i < truth.size(); ++i) {
-    Eigen::Isometry3d step = truth[i - 1].inverse() * truth[i];
-    const double sigma = share * step.translation().norm() + floor;
-    step.translation() += sigma * Eigen::Vector3d(normal(random), 0, normal(random));
-    step.rotate(Eigen::AngleAxisd(turn * normal(random), Eigen::Vector3d::UnitY()));
-    trajectory.poses[i] = trajectory.poses[i - 1] * step;
-  }
-  saveTrajectory(drifted + "/trajectory.txt", trajectory);
-}
-
 /** Maps scenes of ACMAP_DISTANCE_SEEDS seeds (default 3) from ACMAP_DISTANCE_SEED (default 1) on. */
 void
 printDistances()
@@ -158,17 +110,15 @@ printDistances()
   printHead("scene | pairs | median error, mm | median told, mm | "
             "normalised, without modes | normalised | within 2 deviations, %");
   std::vector<Told> all;
+  const char* const drift = std::getenv("ACMAP_DISTANCE_DRIFT");
   const int first = number("ACMAP_DISTANCE_SEED", 1);
   for (const char* scene : {"room", "office", "l_corridor", "loop", "corridor_survey"})
     for (int seed = first; seed < first + number("ACMAP_DISTANCE_SEEDS", 3); ++seed) {
       const test::TemporaryFolder folder;
       const std::string session = folder.path("session"), views = folder.path("views"),
                         map = folder.path("map");
-      test::runTool(
-          ACMAP_SIMULATED_RIG,
-          {"-o", session, "--scene", scene, "--seed", std::to_string(seed), "--clouds"})
-          .succeeded();
-      driftInto(views, session, seed);
+      simulateSession(session, scene, seed, false);
+      writeFaulty(views, session, {"drift", drift ? std::atof(drift) : 1}, seed);
       test::runTool(ACMAP_COMPACT_MAPPING,
                     {views, "-o", map, "--no-pictures", "--formats", "svg"})
           .succeeded();

@@ -1,6 +1,8 @@
 #include "chain/chain_stages.h"
 
 #include <pcl/core/impl/part_of_progress.h>
+#include <pcl/pipeline/map_quality.h>
+#include <pcl/pipeline/next_positions.h>
 #include <pcl/pipeline/pose_errors.h>
 #include <pcl/pipeline/ranked_work.h>
 #include <pcl/pipeline/sequence_adjustment.h>
@@ -207,6 +209,16 @@ consolidateAll(ChainState& state, const ChainSettings& settings, const StageRun&
                                   : sequence.folder() + ": has no point");
 }
 
+/** The verdict on the poses that the map has. */
+std::optional<VerdictOutcome>
+verdictOf(const EntropyRectificationReport& report)
+{
+  if (!report.verdict)
+    return std::nullopt;
+  return report.outcome == RectificationOutcome::Rectified ? report.verdict->outcome
+                                                           : report.verdict->given;
+}
+
 /** II-B.2 */
 void
 runRectification(ChainState& state,
@@ -239,6 +251,7 @@ runRectification(ChainState& state,
     poses.up = state.report.levelling->axis;
   for (std::size_t i = 0; i < poses.places.size(); ++i)
     poses.trajectory.poses[i] = rectification.getPose(i);
+  poses.verdict = verdictOf(*state.report.rectification);
   state.before = open.put(before_name, observations.trajectory);
   setPoses(state, open.put(poses));
   timer.finish("rectify");
@@ -265,6 +278,7 @@ runAdjustment(ChainState& state,
   for (std::size_t i = 0; i < sequence.size(); ++i)
     poses.places.push_back(i);
   poses.up = state.estimated.up;
+  poses.verdict = state.estimated.verdict;
   setPoses(state, open.put(poses));
   timer.finish("adjust");
 }
@@ -311,6 +325,16 @@ errorModelOf(const ChainState& state, const ChainSettings& settings)
   return model;
 }
 
+/** Sensors of the observations, or the one of a cloud if its points prove it. */
+std::vector<Eigen::Vector3f>
+knownSensors(const ChainState& state)
+{
+  const auto& assessment = state.report.planes.assessment;
+  if (!state.cloud.viewpoints.empty() || !assessment || !assessment->sensors.isKnown())
+    return state.cloud.viewpoints;
+  return {state.planes.sensor_origin};
+}
+
 /** II-C.1 and II-C.2 */
 void
 runPlanes(ChainState& state,
@@ -339,6 +363,10 @@ runPlanes(ChainState& state,
                   state.planes.planes);
   state.report.planes = planes.getReport();
   addRemarks(state.stage, state.report.planes.remarks);
+  state.sightings = collectSightings(state.cloud.rows,
+                                     state.planes.labels,
+                                     state.planes.planes,
+                                     knownSensors(state));
   timer.finish("planes");
 }
 
@@ -357,6 +385,19 @@ agreeOnTexelSize(const ObservationSequence& observations,
   if (first)
     texturing.setTexelSize(automaticTexelSize(
         texturing.getPlanes(), texturing.getCylinders(), viewOfObservation(*first)));
+}
+
+/** Tells how good the map is, and from where to look next. */
+void
+judgeMap(const FloorPlan& plan, const StageRun& run, ChainState& state)
+{
+  const UnseenSurfaces unseen = findUnseenSurfaces(state.map, plan);
+  state.report.quality =
+      assessMapQuality(state.map, state.sightings, unseen, state.estimated.verdict);
+  NextPositions next;
+  next.setNumberOfThreads(run.threads);
+  next.compute(state.map, plan, unseen);
+  state.report.next_positions = next.getReport();
 }
 
 /** II-C */
@@ -417,6 +458,7 @@ runTexturing(ChainState& state,
   const FloorPlan plan = makeFloorPlan(map);
   setRooms(plan, map);
   nameSurfaces(plan, map);
+  judgeMap(plan, run, state);
   if (state.work) {
     state.report.ranks = run.ranks->size();
     state.report.rank_messages = run.ranks->getNumberOfMessages();

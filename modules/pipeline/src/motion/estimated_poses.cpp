@@ -4,6 +4,7 @@
 #include <pcl/core/output_file.h>
 #include <pcl/pipeline/estimated_poses.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <locale>
@@ -31,6 +32,9 @@ textOf(const EstimatedPoses& poses)
   if (poses.up)
     text << "up: [" << poses.up->x() << ", " << poses.up->y() << ", " << poses.up->z()
          << "]\n";
+  if (poses.verdict)
+    text << "verdict: " << acmap::nameIn(acmap::verdict_outcome_names, *poses.verdict)
+         << '\n';
   text << "observations:\n";
   for (const std::size_t place : poses.places)
     text << "  - " << place << '\n';
@@ -53,6 +57,16 @@ upIn(const acmap::YamlNode& node)
 {
   const std::vector<acmap::YamlNode>& values = node.list(3, 3);
   return {values[0].number(-1, 1), values[1].number(-1, 1), values[2].number(-1, 1)};
+}
+
+VerdictOutcome
+verdictIn(const acmap::YamlNode& node)
+{
+  const auto& names = acmap::verdict_outcome_names;
+  const auto* const name = std::find(names.begin(), names.end(), node.text());
+  if (name == names.end())
+    node.fail("is no verdict: " + node.text());
+  return static_cast<VerdictOutcome>(name - names.begin());
 }
 
 } // namespace
@@ -83,7 +97,7 @@ loadEstimatedPoses(const std::string& folder)
     return std::nullopt;
   const acmap::YamlNode document = acmap::loadYaml(path);
   acmap::requireFormat(document, acmap::file_formats::poses);
-  document.requireKeys({"format", "made_of", "odometry_noise", "up", "observations"});
+  document.requireKeys({"format", "made_of", "odometry_noise", "up", "verdict", "observations"});
   EstimatedPoses poses;
   constexpr std::size_t maximum = 10000000;
   std::size_t next = 0;
@@ -95,6 +109,8 @@ loadEstimatedPoses(const std::string& folder)
     poses.noise = noiseIn(*noise);
   if (const acmap::YamlNode* up = document.find("up"))
     poses.up = upIn(*up);
+  if (const acmap::YamlNode* verdict = document.find("verdict"))
+    poses.verdict = verdictIn(*verdict);
   const fs::path trajectory = fs::path(folder) / acmap::trajectory_name;
   poses.trajectory = loadTrajectory(trajectory.string());
   if (poses.trajectory.poses.size() != poses.places.size())

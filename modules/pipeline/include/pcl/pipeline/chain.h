@@ -15,6 +15,7 @@
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/plane_mapping.h>
+#include <pcl/pipeline/plane_sightings.h>
 #include <pcl/pipeline/pose_convention_check.h>
 #include <pcl/pipeline/ranked_work.h>
 #include <pcl/pipeline/ranks.h>
@@ -86,6 +87,7 @@ struct ChainState {
   Trajectory before; ///< poses before the rectification, level; empty without one
   ChainCloud cloud;  ///< merged, or the input; empty once planes are found
   MappedPlanes planes;
+  PlaneSightings sightings; ///< of these planes
 
   CompactMap map;
   std::shared_ptr<RankedWork> work; ///< of other ranks; or null

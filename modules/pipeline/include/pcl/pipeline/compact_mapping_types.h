@@ -9,6 +9,8 @@
 #include <pcl/mapping/map_levelling_types.h>
 #include <pcl/mapping/plane_adjustment_types.h>
 #include <pcl/pipeline/camera_path.h>
+#include <pcl/pipeline/map_quality.h>
+#include <pcl/pipeline/next_positions.h>
 #include <pcl/pipeline/observation_merging.h>
 #include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/pipeline/pose_convention_check.h>
@@ -75,6 +77,8 @@ struct CompactMappingReport : Report {
   MergingReport merging;
   PlaneMappingReport planes;
   TexturingReport texture;
+  std::optional<MapQualityReport> quality; ///< of a map with planes
+  std::optional<NextPositionsReport> next_positions; ///< the same
   std::size_t ranks = 1;         ///< processes that made the map
   std::size_t rank_messages = 0; ///< that rank 0 has sent and received
   std::size_t rank_bytes = 0;    ///< of these messages
@@ -98,6 +102,8 @@ visitFields(const CompactMappingReport& report, Visitor&& visit)
   visit({"merging"}, report.merging);
   visit({"planes"}, report.planes);
   visit({"texture"}, report.texture);
+  visit({"quality"}, report.quality);
+  visit({"next_positions"}, report.next_positions);
   visit({"ranks"}, report.ranks);
   visit({"rank_messages"}, report.rank_messages);
   visit({"rank_bytes", "bytes"}, report.rank_bytes);

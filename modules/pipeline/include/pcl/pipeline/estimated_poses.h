@@ -3,6 +3,7 @@
 #include <pcl/core/export.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/mapping/entropy_rectification_types.h>
+#include <pcl/mapping/map_verdict_types.h>
 
 #include <cstddef>
 #include <optional>
@@ -20,6 +21,8 @@ struct EstimatedPoses {
   std::optional<OdometryNoise> noise;
   /** \brief The up axis of their frame, if the map was levelled. */
   std::optional<Eigen::Vector3d> up;
+  /** \brief The verdict on these poses, if the step asked for one. */
+  std::optional<VerdictOutcome> verdict = std::nullopt;
 };
 
 /** \brief Writes poses into a folder: trajectory.txt, and the rest as poses.yaml.

@@ -1,0 +1,197 @@
+#include "quality/quality_figures.h"
+
+#include <pcl/pipeline/map_quality.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pcl {
+
+namespace {
+
+using Figure = QualityFigure;
+
+std::string
+printed(const char* format, double value)
+{
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+std::string
+percent(double share)
+{
+  return printed("%.0f %%", std::floor(100 * share));
+}
+
+std::string
+millimetres(double length)
+{
+  return printed("%.0f mm", 1000 * length);
+}
+
+void
+adviseOnSharpness(Figure& figure)
+{
+  figure.advice =
+      std::isnan(figure.value)
+          ? "No plane was seen often enough to tell."
+      : figure.isGood()
+          ? "Nothing to do."
+          : "Move slower, turn by at most 30 degrees between two observations, and "
+            "return to the first place; with poses from elsewhere, check their "
+            "convention and the scale of the depth.";
+}
+
+void
+adviseOnCoverage(Figure& figure)
+{
+  figure.advice = std::isnan(figure.value)
+                      ? "No room was found: record a floor with the walls around it."
+                  : figure.isGood()
+                      ? "Nothing to do; what is hatched was not seen."
+                      : "Look from the proposed positions, and extend the map (--extend).";
+}
+
+void
+adviseOnRays(Figure& figure)
+{
+  figure.advice =
+      std::isnan(figure.value)
+          ? "It is not known from where the points were seen; --sensor-at states it."
+      : figure.isGood()
+          ? "Nothing to do."
+          : "Rays pass through surfaces: a place was mapped twice, something moved, or a "
+            "mirror or glass was seen. Record again while nothing moves, and cover glass.";
+}
+
+void
+adviseOnOverlap(Figure& figure, std::size_t weakest)
+{
+  figure.advice = std::isnan(figure.value)
+                      ? "One cloud has no overlap to tell."
+                  : figure.isGood()
+                      ? "Nothing to do."
+                      : "Observation " + std::to_string(weakest) +
+                            " shows too little of what the others saw: record more "
+                            "views between.";
+}
+
+/** \brief Is what the figures say enough to call a map good? */
+bool
+isProved(const MapQualityReport& report)
+{
+  constexpr double max_expected = 0.01; // metres
+  const bool has_poses = report.observations > 1;
+  return report.sharpness.isGood() && report.coverage.isGood() &&
+         (report.rays.isGood() || (!has_poses && std::isnan(report.rays.value))) &&
+         (!has_poses || (report.overlap.isGood() && report.verdict.has_value() &&
+                         report.expected_error <= max_expected));
+}
+
+MapQualityOutcome
+outcomeOf(const MapQualityReport& report)
+{
+  if (report.verdict == VerdictOutcome::Contradicted || report.sharpness.isBad() ||
+      report.rays.isBad())
+    return MapQualityOutcome::NotUsable;
+  if (isProved(report))
+    return MapQualityOutcome::Good;
+  if (std::isnan(report.sharpness.value) ||
+      (report.observations > 1 && report.overlap.isBad()))
+    return MapQualityOutcome::Undetermined;
+  return MapQualityOutcome::Usable;
+}
+
+/** \brief Joins "a", "b" and "c". */
+std::string
+enumerated(const std::vector<std::string>& parts)
+{
+  std::string text;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
+  return text;
+}
+
+std::string
+sentenceOf(const MapQualityReport& report)
+{
+  const Figure &sharpness = report.sharpness, &coverage = report.coverage,
+               &rays = report.rays, &overlap = report.overlap;
+  switch (report.outcome) {
+  case MapQualityOutcome::Good:
+    return "surfaces are sharp to " + millimetres(sharpness.value) + ", " +
+           percent(coverage.value) + " of floor, ceiling and walls was seen, and nothing "
+           "contradicts the map.";
+  case MapQualityOutcome::NotUsable:
+    if (report.verdict == VerdictOutcome::Contradicted)
+      return "the observations contradict the poses.";
+    if (sharpness.isBad())
+      return "surfaces are " + millimetres(sharpness.value) +
+             " thick: observations do not lie on each other.";
+    return percent(1 - rays.value) + " of the rays pass through surfaces of the map.";
+  case MapQualityOutcome::Undetermined:
+    return std::isnan(sharpness.value)
+               ? "no surface was seen well enough to judge the map."
+               : "observation " + std::to_string(report.weakest_observation) +
+                     " hardly overlaps the others, so nothing proves where it was.";
+  case MapQualityOutcome::Usable:
+    break;
+  }
+  std::vector<std::string> reasons;
+  if (!sharpness.isGood())
+    reasons.push_back("surfaces are " + millimetres(sharpness.value) + " thick");
+  if (std::isnan(coverage.value))
+    reasons.emplace_back("no room is enclosed");
+  else if (!coverage.isGood())
+    reasons.push_back("only " + percent(coverage.value) +
+                      " of floor, ceiling and walls was seen");
+  if (rays.value < rays.good)
+    reasons.push_back(percent(1 - rays.value) + " of the rays pass through surfaces");
+  if (overlap.value < overlap.good)
+    reasons.push_back("observation " + std::to_string(report.weakest_observation) +
+                      " overlaps little");
+  if (reasons.empty())
+    reasons.emplace_back("its poses are not proved to the centimetre");
+  return "right where it was seen well, but " + enumerated(reasons) + ".";
+}
+
+} // namespace
+
+MapQualityReport
+assessMapQuality(const CompactMap& map,
+                 const PlaneSightings& sightings,
+                 const UnseenSurfaces& unseen,
+                 const std::optional<VerdictOutcome>& verdict)
+{
+  MapQualityReport report;
+  report.verdict = verdict;
+  report.observations = sightings.observations;
+  report.seen_area = unseen.seen_area;
+  report.unseen_area = unseen.unseen_area;
+  report.roughness = acmap::roughnessOf(sightings);
+  report.sharpness = {acmap::sharpnessOf(map, report.roughness), 0.008, 0.02, ""};
+  report.coverage = {unseen.seenShare(), 0.7, 0.3, ""};
+  report.rays = {acmap::rayAgreement(map, sightings), 0.99, 0.9, ""};
+  const acmap::WeakestOverlap weakest = acmap::weakestOverlap(sightings);
+  report.overlap = {weakest.share, 0.4, 0.1, ""};
+  report.weakest_observation = weakest.observation;
+  report.expected_error = acmap::expectedError(map);
+  adviseOnSharpness(report.sharpness);
+  adviseOnCoverage(report.coverage);
+  adviseOnRays(report.rays);
+  adviseOnOverlap(report.overlap, weakest.observation);
+  report.outcome = outcomeOf(report);
+  report.sentence = sentenceOf(report);
+  return report;
+}
+
+std::string
+describeQuality(const MapQualityReport& report)
+{
+  return acmap::nameIn(acmap::map_quality_names, report.outcome) + (": " + report.sentence);
+}
+
+} // namespace pcl

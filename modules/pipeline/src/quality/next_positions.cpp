@@ -1,0 +1,290 @@
+#include <pcl/pipeline/next_positions.h>
+
+#include "quality/plan_places.h"
+#include "quality/position_words.h"
+#include "quality/seen_faces.h"
+
+#include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/parallel.h>
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace pcl {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int yaws = 12;
+constexpr std::array<double, 3> pitches = {-25 * pi / 180, 0, 25 * pi / 180};
+
+/** \brief A place on the floor where one can stand. */
+struct Stand {
+  Vector3d eye;
+  std::size_t room;
+};
+
+/** \brief A direction of view with its image axes. */
+struct View {
+  Vector3d ahead, right, above;
+};
+
+std::vector<View>
+viewsOf(const FloorPlan& plan)
+{
+  std::vector<View> views;
+  for (int yaw = 0; yaw < yaws; ++yaw)
+    for (const double pitch : pitches) {
+      const double angle = 2 * pi * yaw / yaws;
+      const Vector3d level = std::cos(angle) * plan.x_axis + std::sin(angle) * plan.y_axis;
+      View view;
+      view.ahead = std::cos(pitch) * level + std::sin(pitch) * plan.up;
+      view.right = level.cross(plan.up);
+      view.above = std::cos(pitch) * plan.up - std::sin(pitch) * level;
+      views.push_back(view);
+    }
+  return views;
+}
+
+/** \brief The places on the free floor of the rooms. */
+std::vector<Stand>
+standsOn(const FloorPlan& plan, double eye_height)
+{
+  constexpr double finest = 0.5, from_walls = 0.35, from_furniture = 0.2; // metres
+  constexpr double max_stands = 300;
+  double area = 0;
+  for (const PlanRoom& room : plan.rooms)
+    area += room.area;
+  const double step = std::max(finest, std::sqrt(area / max_stands));
+  const auto isFree = [&](const PlanRoom& room, const Vector2d& place) {
+    return acmap::isInLoop(room.outline, place) &&
+           acmap::distanceToLoop(room.outline, place) >= from_walls &&
+           std::none_of(plan.furniture.begin(),
+                        plan.furniture.end(),
+                        [&](const PlanFurniture& one) {
+                          return acmap::isInLoop(one.outline, place) ||
+                                 acmap::distanceToLoop(one.outline, place) <
+                                     from_furniture;
+                        }) &&
+           std::none_of(
+               plan.columns.begin(), plan.columns.end(), [&](const PlanColumn& one) {
+                 return (place - one.center).norm() < one.radius + from_furniture;
+               }) &&
+           std::none_of(plan.walls.begin(), plan.walls.end(), [&](const PlanWall& wall) {
+             return acmap::distanceToSegment(wall.from, wall.to, place) < from_walls;
+           });
+  };
+  std::vector<Stand> stands;
+  for (std::size_t number = 0; number < plan.rooms.size(); ++number) {
+    const PlanRoom& room = plan.rooms[number];
+    Eigen::AlignedBox2d box;
+    for (const Vector2d& corner : room.outline)
+      box.extend(corner);
+    if (box.isEmpty())
+      continue;
+    for (double y = box.min().y() + step / 2; y < box.max().y(); y += step)
+      for (double x = box.min().x() + step / 2; x < box.max().x(); x += step)
+        if (isFree(room, {x, y}))
+          stands.push_back({acmap::pointOfPlan(plan, {x, y}, eye_height), number});
+  }
+  return stands;
+}
+
+/** \brief Finds which patches views show. */
+class PatchVisibility {
+public:
+  PatchVisibility(const CompactMap& map, const std::vector<UnseenPatch>& patches)
+  : patches_(patches)
+  {
+    constexpr double min_area = 0.1; // square metres
+    for (const PlanePatch& plane : map.planes)
+      if (plane.area >= min_area)
+        faces_.emplace_back(plane);
+    distances_.resize(static_cast<Eigen::Index>(patches.size()),
+                      static_cast<Eigen::Index>(faces_.size()));
+    for (std::size_t patch = 0; patch < patches.size(); ++patch)
+      for (std::size_t face = 0; face < faces_.size(); ++face)
+        distances_(static_cast<Eigen::Index>(patch), static_cast<Eigen::Index>(face)) =
+            static_cast<float>(faces_[face].distanceTo(patches[patch].center));
+  }
+
+  /** \brief The patches that an eye sees when it looks around, ascending. */
+  std::vector<std::size_t>
+  seenFrom(const Vector3d& eye, double reach) const
+  {
+    constexpr double nearest = 0.3, min_cosine = 0.17; // metres; 80 degrees
+    std::vector<float> before;
+    before.reserve(faces_.size());
+    for (const acmap::SeenFace& face : faces_)
+      before.push_back(static_cast<float>(face.distanceTo(eye)));
+    std::vector<std::size_t> seen;
+    for (std::size_t patch = 0; patch < patches_.size(); ++patch) {
+      const Vector3d ray = patches_[patch].center - eye;
+      const double length = ray.norm();
+      if (length >= nearest && length <= reach / min_cosine &&
+          -ray.dot(patches_[patch].normal) >= min_cosine * length &&
+          !isHidden(eye, patch, before))
+        seen.push_back(patch);
+    }
+    return seen;
+  }
+
+private:
+  bool
+  isHidden(const Vector3d& eye, std::size_t patch, const std::vector<float>& before) const
+  {
+    constexpr float margin = 0.1F; // metres
+    for (std::size_t face = 0; face < faces_.size(); ++face) {
+      const float after =
+          distances_(static_cast<Eigen::Index>(patch), static_cast<Eigen::Index>(face));
+      if (before[face] * after >= 0 || std::abs(after) < margin)
+        continue;
+      const double share = before[face] / (before[face] - after);
+      if (faces_[face].covers(eye + share * (patches_[patch].center - eye)))
+        return true;
+    }
+    return false;
+  }
+
+  const std::vector<UnseenPatch>& patches_;
+  std::vector<acmap::SeenFace> faces_;
+  Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> distances_;
+};
+
+/** \brief At most this many patches of about the same total area: of each group of successive ones
+ * the middle one stands for all. */
+std::vector<UnseenPatch>
+thinned(const std::vector<UnseenPatch>& patches)
+{
+  constexpr std::size_t max_patches = 3000;
+  const std::size_t every = patches.size() / max_patches + 1;
+  std::vector<UnseenPatch> thin;
+  for (std::size_t begin = 0; begin < patches.size(); begin += every) {
+    const std::size_t end = std::min(begin + every, patches.size());
+    thin.push_back(patches[(begin + end) / 2]);
+    thin.back().area = 0;
+    for (std::size_t k = begin; k < end; ++k)
+      thin.back().area += patches[k].area;
+  }
+  return thin;
+}
+
+} // namespace
+
+void
+NextPositions::setNumberOfPositions(int number)
+{
+  acmap::requireInRange("number of positions", number, 1, 20, "");
+  number_ = number;
+}
+
+void
+NextPositions::setEyeHeight(double height)
+{
+  acmap::requireInRange("eye height", height, 0.1, 10, "m");
+  eye_height_ = height;
+}
+
+void
+NextPositions::setFieldOfView(double horizontal, double vertical)
+{
+  acmap::requireInRange("horizontal field of view", horizontal, 0.1, 3, "rad");
+  acmap::requireInRange("vertical field of view", vertical, 0.1, 3, "rad");
+  horizontal_ = horizontal;
+  vertical_ = vertical;
+}
+
+void
+NextPositions::setReach(double reach)
+{
+  acmap::requireInRange("reach", reach, 0.5, 100, "m");
+  reach_ = reach;
+}
+
+void
+NextPositions::compute(const CompactMap& map,
+                       const FloorPlan& plan,
+                       const UnseenSurfaces& unseen)
+{
+  report_ = NextPositionsReport();
+  acmap::StepTimer timer(report_);
+  report_.unseen_area = unseen.unseen_area;
+  const std::vector<UnseenPatch> patches = thinned(unseen.patches);
+  const std::vector<Stand> stands = standsOn(plan, eye_height_);
+  const std::vector<View> views = viewsOf(plan);
+  report_.candidates = stands.size();
+  const PatchVisibility visibility(map, patches);
+  std::vector<std::vector<std::size_t>> seen(stands.size());
+  const acmap::Progress progress(progress_);
+  progress.tell(0, "looking from candidates");
+  acmap::withThreads(threads_, [&] {
+    oneapi::tbb::parallel_for(std::size_t{0}, stands.size(), [&](std::size_t stand) {
+      seen[stand] = visibility.seenFrom(stands[stand].eye, reach_);
+    });
+  });
+  const double right = std::tan(horizontal_ / 2), above = std::tan(vertical_ / 2);
+  const auto isInView = [&](const Vector3d& ray, const View& view) {
+    const double depth = ray.dot(view.ahead);
+    return depth > 0 && depth <= reach_ &&
+           std::abs(ray.dot(view.right)) <= right * depth &&
+           std::abs(ray.dot(view.above)) <= above * depth;
+  };
+  constexpr double min_uncovered = 0.2; // square metres
+  std::vector<char> is_covered(patches.size(), 0);
+  for (int number = 0; number < number_; ++number) {
+    double best = min_uncovered;
+    std::size_t best_stand = 0, best_view = 0;
+    for (std::size_t stand = 0; stand < stands.size(); ++stand)
+      for (std::size_t view = 0; view < views.size(); ++view) {
+        double area = 0;
+        for (const std::size_t patch : seen[stand])
+          if (is_covered[patch] == 0 &&
+              isInView(patches[patch].center - stands[stand].eye, views[view]))
+            area += patches[patch].area;
+        if (area > best) {
+          best = area;
+          best_stand = stand;
+          best_view = view;
+        }
+      }
+    if (!(best > min_uncovered))
+      break;
+    NextPosition position;
+    position.eye = stands[best_stand].eye;
+    position.direction = views[best_view].ahead;
+    position.uncovered = best;
+    position.room = static_cast<std::int32_t>(stands[best_stand].room);
+    std::map<SurfaceRole, std::pair<double, Vector3d>> parts; // area, its moment
+    for (const std::size_t patch : seen[best_stand])
+      if (is_covered[patch] == 0 &&
+          isInView(patches[patch].center - position.eye, views[best_view])) {
+        is_covered[patch] = 1;
+        auto& [area, moment] =
+            parts.emplace(patches[patch].role, std::pair(0.0, Vector3d::Zero().eval()))
+                .first->second;
+        area += patches[patch].area;
+        moment += patches[patch].area * patches[patch].center;
+      }
+    const auto largest =
+        std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+          return a.second.first < b.second.first;
+        });
+    position.words = acmap::wordsOf(position,
+                                    largest->second.second / largest->second.first,
+                                    largest->first,
+                                    map,
+                                    plan);
+    report_.positions.push_back(std::move(position));
+    progress.tell((number + 1.0) / number_, "choosing positions");
+  }
+  timer.finish("next positions");
+}
+
+} // namespace pcl

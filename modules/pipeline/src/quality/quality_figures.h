@@ -1,0 +1,41 @@
+#pragma once
+
+#include <pcl/core/compact_map.h>
+#include <pcl/pipeline/plane_sightings.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace pcl::acmap {
+
+/** \brief How far the parts of each plane that different observations saw are from it: root mean
+ * square of the mean distances, without what noise adds to these. Metres; NaN: not known. */
+std::vector<double>
+roughnessOf(const PlaneSightings& sightings);
+
+/** \brief Root mean square of the roughness of floors, ceilings and walls, by area; of all planes in a
+ * map without these. NaN: not known. */
+double
+sharpnessOf(const CompactMap& map, const std::vector<double>& roughness);
+
+/** \brief Share of the rays that pass through no plane where it was seen; NaN without rays. */
+double
+rayAgreement(const CompactMap& map, const PlaneSightings& sightings);
+
+/** \brief The observation that is joined worst to the others, when each time the one that shares
+ * most with those already joined is the next one. */
+struct WeakestOverlap {
+  double share = std::numeric_limits<double>::quiet_NaN(); ///< NaN: not known
+  std::size_t observation = 0;
+};
+
+WeakestOverlap
+weakestOverlap(const PlaneSightings& sightings);
+
+/** \brief Standard deviation of the offsets of floors, ceilings and walls by the errors of the poses: root
+ * mean square, metres; NaN if these are not known. */
+double
+expectedError(const CompactMap& map);
+
+} // namespace pcl::acmap
