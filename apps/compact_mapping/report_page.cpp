@@ -1,8 +1,11 @@
 #include "report_page.h"
 
+#include "quality_page.h"
+
 #include <pcl/core/image_file.h>
 #include <pcl/core/impl/base64.h>
 #include <pcl/core/output_file.h>
+#include <pcl/pipeline/map_quality.h>
 
 #include <algorithm>
 #include <array>
@@ -172,7 +175,8 @@ escaped(const std::string& text)
 }
 
 /** Fills the places of a template of an HTML page. `{{path}}` and `{{path | format}}`
- * become that text or number of the values. What stands between `{{#if path}}` and
+ * become that text or number of the values; `{{path | drawing}}` a text of this program, as it
+ * is. What stands between `{{#if path}}` and
  * `{{/if path}}` stays if there is such a value; null, false, and empty texts and lists
  * are none. `{{#unless path}}` is the contrary. What stands between `{{#each path}}` and
  * `{{/each path}}` is repeated for each entry of a list, of which it sees only the values.
@@ -197,7 +201,8 @@ filled(std::string_view page, const Json& values)
     const std::string kind = words[1], name = words[2];
     const Json& value = fieldOf(values, name);
     if (kind.empty()) {
-      html += escaped(shown(value, words[3]));
+      html += words[3] == "drawing" ? textOf(values, name)
+                                    : escaped(shown(value, words[3]));
       continue;
     }
     const std::string_view section = takeUntil("{{/" + mark.substr(1) + "}}");
@@ -387,6 +392,71 @@ timesOf(const Json& report)
           {"reused_stages", reused_stages > 0 ? Json(reused_stages) : nothing}};
 }
 
+/** The files beside the page that one would open, if they are there. */
+Json
+linksOf(const std::string& folder)
+{
+  constexpr std::pair<const char*, const char*> files[] = {
+      {"map.html", "the map, to walk through and measure in"},
+      {"floor_plan.svg", "the floor plan"},
+      {"floor_plan.dxf", "the floor plan for CAD"},
+      {"map.ifc", "the building model (IFC)"},
+      {"map.glb", "the textured planes (glTF)"}};
+  Json links = Json::array();
+  for (const auto& [file, text] : files)
+    if (std::error_code error;
+        std::filesystem::exists(std::filesystem::path(folder) / file, error))
+      links.push_back({{"file", file}, {"text", text}});
+  return links;
+}
+
+/** The roughest ones of the planes that have a description. */
+Json
+roughestOf(const Json& details, const Json& roughness)
+{
+  constexpr std::size_t most = 5;
+  constexpr double min_area = 0.5; // square metres
+  std::vector<std::pair<double, Json>> sorted;
+  const Json& planes = listOf(details, "planes");
+  for (std::size_t k = 0; k < std::min(planes.size(), roughness.size()); ++k)
+    if (roughness[k].is_number() && !textOf(planes[k], "description").empty() &&
+        numberIn(fieldOf(planes[k], "area")).value_or(0) >= min_area)
+      sorted.emplace_back(
+          roughness[k].get<double>(),
+          Json{{"description", textOf(planes[k], "description")},
+               {"roughness", roughness[k]},
+               {"id", numberIn(fieldOf(planes[k], "id")).value_or(static_cast<double>(k))}});
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+    return a.first > b.first;
+  });
+  sorted.resize(std::min(sorted.size(), most));
+  Json list = Json::array();
+  for (const auto& one : sorted)
+    list.push_back(one.second);
+  return list;
+}
+
+/** One of the four words; empty if the map was not judged. */
+std::string
+headingOf(const Json& quality)
+{
+  const std::string outcome = textOf(quality, "outcome");
+  return std::count(map_quality_names.begin(), map_quality_names.end(), outcome) > 0
+             ? outcome
+             : "";
+}
+
+/** The sentence, which follows a heading. */
+std::string
+sentenceOf(const Json& quality)
+{
+  std::string sentence = textOf(quality, "sentence");
+  if (!sentence.empty())
+    sentence[0] = static_cast<char>(
+        std::toupper(static_cast<unsigned char>(sentence[0])));
+  return sentence;
+}
+
 /** Null if one of both is not known, or if the second is 0. */
 Json
 quotientOf(const Json& json, const char* first, const char* second)
@@ -406,6 +476,7 @@ reportPage(const Json& report, const std::string& picture_folder)
   if (!values.is_object())
     values = Json::object();
   const Json details = detailsOf(values);
+  const Json quality = fieldOf(values, "quality");
   values.update(
       {{"details", details},
        {"share_on_planes", quotientOf(details, "points_on_planes", "finite_points")},
@@ -415,10 +486,17 @@ reportPage(const Json& report, const std::string& picture_folder)
        {"warnings", warningsOf(values)},
        {"command", commandText(listOf(values, "command_line"))},
        {"pictures", picturesOf(values, picture_folder)},
-       {"energy",
-        listOf(details, "steps/energy").empty()
-            ? nothing
-            : pictureOf(picture_folder, "pictures/energy.png", "")},
+       {"energy", energyPicture(fieldOf(details, "steps"))},
+       {"heading", headingOf(quality)},
+       {"sentence", sentenceOf(quality)},
+       {"figures", figuresOf(quality)},
+       {"places",
+        placePicture(fieldOf(details, "plan"),
+                     listOf(quality, "roughness"),
+                     listOf(values, "next_positions/positions"))},
+       {"next", listOf(values, "next_positions/positions")},
+       {"roughest", roughestOf(details, listOf(quality, "roughness"))},
+       {"links", linksOf(picture_folder)},
        {"planes", planesOf(details)},
        {"primitives", primitivesOf(details)},
        {"times", timesOf(values)}});

@@ -155,17 +155,21 @@ void
 simulateSession(const std::string& folder,
                 const std::string& scene,
                 int seed,
-                bool is_small)
+                bool is_small,
+                std::size_t observations)
 {
   std::string chosen = scene;
   if (is_small) {
     chosen = folder + ".yaml";
     std::ofstream(chosen) << smallSceneOf(scene);
   }
-  test::runTool(
-      ACMAP_SIMULATED_RIG,
-      {"-o", folder, "--scene", chosen, "--seed", std::to_string(seed), "--clouds"})
-      .succeeded();
+  std::vector<std::string> arguments = {
+      "-o", folder, "--scene", chosen, "--seed", std::to_string(seed), "--clouds"};
+  if (observations > 0)
+    for (const std::string& argument :
+         {std::string("--observations"), std::to_string(observations)})
+      arguments.push_back(argument);
+  test::runTool(ACMAP_SIMULATED_RIG, arguments).succeeded();
 }
 
 void

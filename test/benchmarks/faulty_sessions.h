@@ -2,7 +2,7 @@
 
 #include <pcl/pipeline/map_comparison.h>
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,12 +14,15 @@ mappedTrajectory(const CompactMap& map, const SessionTruth& truth);
 
 /** \brief Simulates a session of clouds.
  * \param[in] scene name of a scene of share/scenes
- * \param[in] is_small images of 240 x 180 pixels, of which 20 000 are points */
+ * \param[in] is_small images of 240 x 180 pixels, of which 20 000 are points; the scene stays beside the
+ * folder, as a file with the ending .yaml
+ * \param[in] observations number of the first ones; 0: all */
 void
 simulateSession(const std::string& folder,
                 const std::string& scene,
                 int seed,
-                bool is_small);
+                bool is_small,
+                std::size_t observations = 0);
 
 /** \brief What is wrong with a recording. */
 struct RecordingFault {

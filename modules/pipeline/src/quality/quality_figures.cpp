@@ -198,19 +198,4 @@ weakestOverlap(const PlaneSightings& sightings)
   }
 }
 
-double
-expectedError(const CompactMap& map)
-{
-  double sum = 0, area = 0;
-  for (const std::size_t plane : judgedPlanes(map)) {
-    const PlanePatch& one = map.planes[plane];
-    const double variance = one.covariance(2, 2);
-    if (one.pose_modes.empty() || !std::isfinite(variance))
-      continue;
-    sum += one.area * variance;
-    area += one.area;
-  }
-  return area > 0 ? std::sqrt(sum / area) : std::numeric_limits<double>::quiet_NaN();
-}
-
 } // namespace pcl::acmap

@@ -33,9 +33,4 @@ struct WeakestOverlap {
 WeakestOverlap
 weakestOverlap(const PlaneSightings& sightings);
 
-/** \brief Standard deviation of the offsets of floors, ceilings and walls by the errors of the poses: root
- * mean square, metres; NaN if these are not known. */
-double
-expectedError(const CompactMap& map);
-
 } // namespace pcl::acmap

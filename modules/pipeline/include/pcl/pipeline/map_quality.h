@@ -76,9 +76,6 @@ struct MapQualityReport : Report {
   /** \brief Share of what an observation saw that the others saw, too, of the one that is joined
    * worst. */
   QualityFigure overlap;
-  /** \brief Metres, one standard deviation: how far planes are told to be wrong with
-   * respect to each other, by the errors of the poses; NaN: not known. */
-  double expected_error = std::numeric_limits<double>::quiet_NaN();
   std::size_t observations = 0;
   std::size_t weakest_observation = 0; ///< index of the one with the least overlap
   std::vector<double> roughness; ///< metres, of each plane: as sharpness; NaN: not known
@@ -98,7 +95,6 @@ visitFields(const MapQualityReport& report, Visitor&& visit)
   visit({"coverage"}, report.coverage);
   visit({"rays"}, report.rays);
   visit({"overlap"}, report.overlap);
-  visit({"expected_error", "m"}, report.expected_error);
   visit({"observations"}, report.observations);
   visit({"weakest_observation"}, report.weakest_observation);
   visit({"roughness", "m"}, report.roughness);
