@@ -3,8 +3,10 @@
 #include "memory.h"
 #include "output_target.h"
 #include "reading_options.h"
+#include "stage_reports.h"
 #include "tool.h"
 
+#include <pcl/core/cloud_assessment.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/map_file.h>
@@ -19,6 +21,7 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 
 namespace pcl::acmap {
@@ -43,9 +46,10 @@ struct ViewerOptions {
 /** \brief The data to be shown. */
 struct ViewerInput {
   LayeredScene scene;
-  std::optional<Eigen::Vector3f> sensor_origin = Eigen::Vector3f::Zero(); ///< metres
+  std::optional<Eigen::Vector3f> sensor_origin; ///< metres; of a cloud or mesh
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
-  std::optional<Eigen::Vector3f> up; ///< if the file format defines one: y of OBJ
+  std::optional<Eigen::Vector3f> up; ///< of a cloud or mesh
+  std::string up_line;               ///< what shows it; empty if it is stated
   std::vector<std::string> remarks;  ///< warnings
 };
 
@@ -208,6 +212,27 @@ note(const PointCloudFile& file, std::vector<std::string>& remarks)
   remarks.insert(remarks.end(), lengths.begin(), lengths.end());
 }
 
+/** \brief Which direction of a file is up, and from where it was seen, as stated, else as
+ * its points show it. */
+void
+assess(const std::shared_ptr<const PointCloudFile>& file,
+       const PointCloudReader& reader,
+       ViewerInput& input)
+{
+  CloudAssessment assessment;
+  assessment.setInputCloud(file);
+  if (reader.getUpDirection())
+    assessment.setUpDirection(*reader.getUpDirection());
+  assessment.compute();
+  const CloudAssessmentReport& report = assessment.getReport();
+  input.up = report.up.value.cast<float>();
+  if (report.up.outcome != UpOutcome::Stated)
+    input.up_line = describe(report.up);
+  if (report.sensors.isKnown())
+    input.sensor_origin = file->sensor_origin;
+  input.sensor_orientation = file->sensor_orientation;
+}
+
 ViewerInput
 loadFile(const std::string& path, const PointCloudReader& reader)
 {
@@ -216,15 +241,11 @@ loadFile(const std::string& path, const PointCloudReader& reader)
     throw NothingFound(path + ": nothing to show, no point is finite");
   ViewerInput input;
   note(file.points, input.remarks);
-  if (file.points.up)
-    input.sensor_origin.reset();
-  else
-    input.sensor_origin = file.points.sensor_origin;
-  input.sensor_orientation = file.points.sensor_orientation;
-  input.up = file.points.up ? file.points.up : file.points.usual_up;
+  const auto points = std::make_shared<PointCloudFile>(std::move(file.points));
+  assess(points, reader, input);
   LayeredScene& scene = input.scene;
   (file.mesh.triangles.empty() ? scene.points : scene.vertices) =
-      std::move(file.points.cloud);
+      std::move(points->cloud);
   scene.mesh = std::move(file.mesh);
   return input;
 }
@@ -386,6 +407,8 @@ summarize(const ViewerOptions& options, const ViewerInput& input, StageLog& log)
                    {"planes", scene.map.planes.size()},
                    {"poses", scene.map.trajectory.poses.size()}}}};
   log.warn(input.remarks);
+  if (!input.up_line.empty())
+    log.tell("up", input.up_line);
   log.tell("points", std::to_string(points));
   log.tell("triangles", std::to_string(triangles));
   log.tell("planes", std::to_string(scene.map.planes.size()));
@@ -397,12 +420,25 @@ summarize(const ViewerOptions& options, const ViewerInput& input, StageLog& log)
     log.tell("file", options.screenshot);
 }
 
+/** The last part of a path: "kitchen" of "maps/kitchen/". */
+std::string
+nameOf(const std::string& path)
+{
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
 void
 show(const ViewerOptions& options, const PointCloudReader& reader, StageLog& log)
 {
   requireOnePlace(options, reader.getUpDirection().has_value());
   LayeredView view = viewOf(options);
   StepTimer timer(log.report);
+  std::optional<SceneWindow> window;
+  if (options.screenshot.empty() && isThere(options.input)) {
+    const UnlimitedMemory while_drawing;
+    window.emplace(nameOf(options.input), view.width, view.height);
+  }
   ViewerInput input = loadViewerInput(options.input, reader);
   timer.finish("read");
   if (options.labels)
@@ -411,14 +447,14 @@ show(const ViewerOptions& options, const PointCloudReader& reader, StageLog& log
   view.sensor_orientation = input.sensor_orientation;
   view.up = input.up;
   if (const std::optional<Eigen::Vector3d>& up = reader.getUpDirection())
-    view.up = up->cast<float>();
+    view.up = up->cast<float>(); // of a map
   choosePlace(options, input.scene, view);
   stopIfInterrupted();
 
   const UnlimitedMemory while_drawing;
-  if (options.screenshot.empty()) {
+  if (window) {
     obeyInterruptions();
-    showScene(options.input, input.scene, view, [](const std::string& text) {
+    window->show(input.scene, view, [](const std::string& text) {
       std::fputs(text.c_str(), stdout);
       std::fflush(stdout);
     });

@@ -1,3 +1,4 @@
+#include "layer_actors.h"
 #include "layer_keys.h"
 #include "layer_stage.h"
 #include "shown_picture.h"
@@ -55,9 +56,11 @@ protected:
     window_->SetOffScreenRendering(1);
     window_->SetSize(view_.width, view_.height);
     window_->AddRenderer(stage_->renderer());
+    overlay_.emplace(*window_);
     interactor_->SetRenderWindow(window_);
     interactor_->SetInteractorStyle(keys_);
-    keys_->attach(*stage_, scene_, [&](const std::string& text) { told_ += text; });
+    keys_->attach(
+        *stage_, scene_, *overlay_, [&](const std::string& text) { told_ += text; });
     window_->Render();
   }
 
@@ -94,6 +97,7 @@ protected:
   std::optional<DisplayConnection> connection_;
   std::optional<LayerStage> stage_;
   vtkNew<vtkRenderWindow> window_;
+  std::optional<Overlay> overlay_;
   vtkNew<vtkRenderWindowInteractor> interactor_;
   vtkNew<LayerKeys> keys_;
   std::string told_;
@@ -133,6 +137,29 @@ TEST_F(Acts, BThrowsBeforeAndAfterWithLayersOfTheirOwn)
   EXPECT_EQ(shown(), Layers{SceneLayer::Trajectory}) << "as it was left";
 }
 
+TEST_F(Acts, BSlidesFromOneStateToTheOther)
+{
+  open();
+  const auto lowest = [&] { // of what is visible; y is down
+    double bounds[6];
+    stage_->renderer()->ComputeVisiblePropBounds(bounds);
+    return bounds[3];
+  };
+  press('b');
+  std::vector<double> heights;
+  for (int i = 0; i < 60; ++i) {
+    interactor_->InvokeEvent(vtkCommand::TimerEvent);
+    heights.push_back(lowest());
+  }
+  EXPECT_TRUE(std::is_sorted(heights.rbegin(), heights.rend())) << "upwards";
+  EXPECT_NEAR(heights.front() - heights.back(), 1, 0.05);
+  EXPECT_GT(std::set<double>(heights.begin(), heights.end()).size(), 20u);
+  const Trajectory half = posesBetween(scene_, 0.5);
+  EXPECT_NEAR(half.poses[3].translation().y(),
+              scene_.map.trajectory.poses[3].translation().y() - 0.5,
+              1e-9);
+}
+
 TEST_F(Acts, BSaysWhenThereIsNothingBefore)
 {
   scene_.trajectory_before.poses.pop_back();
@@ -169,7 +196,8 @@ TEST_F(Acts, TSwapsPlanesWithAndWithoutTexture)
     chart.colors.values.clear();
   stage_.reset();
   stage_.emplace(scene_, view_);
-  keys_->attach(*stage_, scene_, [&](const std::string& text) { told_ += text; });
+  keys_->attach(
+      *stage_, scene_, *overlay_, [&](const std::string& text) { told_ += text; });
   EXPECT_NE(press('t').find("nothing to show as texture"), std::string::npos);
   EXPECT_EQ(shown(), (Layers{SceneLayer::Planes, SceneLayer::Trajectory}));
 }

@@ -1,6 +1,7 @@
 #include "clouds.h"
 #include "layer_keys.h"
 #include "layer_stage.h"
+#include "measuring.h"
 #include "room_map.h"
 #include "shown_picture.h"
 #include "temporary_folder.h"
@@ -12,6 +13,7 @@
 #include <pcl/visualization/map_layers.h>
 
 #include <gtest/gtest.h>
+#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
@@ -19,6 +21,7 @@
 namespace pcl::acmap::test {
 namespace {
 
+using Eigen::Vector3d;
 using Layers = std::set<SceneLayer>;
 
 /** \brief The room, with a wavy mesh in it and its vertices as a cloud. */
@@ -116,12 +119,51 @@ TEST_F(LayersOfScene, ProposedSurfacesAreOne)
     plane.proposed = plane.polygons;
   EXPECT_EQ(layersOf(scene_).size(), 7u);
   EXPECT_EQ(usualLayers(scene_), usual);
-  const std::vector<ShownPicture::Pixel> planes = shoot({SceneLayer::Planes}).pixels;
-  EXPECT_EQ(shoot({SceneLayer::Proposed}).pixels, planes);
+  // planes are translucent as well where something is beneath them
+  const std::vector<ShownPicture::Pixel> planes =
+      shoot({SceneLayer::Texture, SceneLayer::Planes}).pixels;
+  const auto shoot_proposed = [&] {
+    return shoot({SceneLayer::Texture, SceneLayer::Proposed}).pixels;
+  };
+  EXPECT_EQ(shoot_proposed(), planes);
   for (PlanePatch& plane : scene_.map.planes)
     plane.proposed.clear();
   scene_.map.planes[0].proposed = scene_.map.planes[0].polygons;
-  EXPECT_NE(shoot({SceneLayer::Proposed}).pixels, planes);
+  EXPECT_NE(shoot_proposed(), planes);
+}
+
+/** A plane that looks away leaves no wires behind. */
+TEST_F(LayersOfScene, PlanesAreOpenFromBehind)
+{
+  scene_.map.planes.resize(1);
+  scene_.map.charts.clear();
+  scene_.map.trajectory = {};
+  view_.from = Eigen::Vector3f(0, 0, 6);
+  EXPECT_EQ(shoot({SceneLayer::Planes}).covered(), 0);
+  view_.from = Eigen::Vector3f(0, 0, -6);
+  EXPECT_GT(shoot({SceneLayer::Planes}).covered(), 0.1);
+}
+
+/** Its noise does not bring the mesh before the plane that was found in it. */
+TEST_F(LayersOfScene, AMeshDoesNotFlickerInItsPlane)
+{
+  scene_.map.planes.resize(1);
+  scene_.map.charts.clear();
+  scene_.map.trajectory = {};
+  Cloud rough = makeGrid(20, 20, 0.1, ExactPlane::Level);
+  for (std::size_t i = 0; i < rough.size(); ++i) {
+    PointXYZ& p = rough[i];
+    p.getVector3fMap() = Eigen::Vector3f(
+        p.x - 0.95F, 0.1F * static_cast<float>(i / 20) - 1, i % 3 == 0 ? 1.99F : 2.01F);
+  }
+  toPCLPointCloud2(rough, scene_.vertices);
+  view_.from = Eigen::Vector3f(0, 0, -3);
+  const auto is_plane = [](const ShownPicture::Pixel& p) {
+    const auto [least, most] = std::minmax({p[0], p[1], p[2]});
+    return most - least > 20; // neither background nor mesh
+  };
+  const double plane = shoot({SceneLayer::Mesh, SceneLayer::Planes}).share(is_plane);
+  EXPECT_GT(plane, 0.95 * shoot({SceneLayer::Planes}).share(is_plane));
 }
 
 TEST_F(LayersOfScene, LieUponEachOther)
@@ -180,9 +222,11 @@ protected:
     window_->SetOffScreenRendering(1);
     window_->SetSize(view_.width, view_.height);
     window_->AddRenderer(stage_->renderer());
+    overlay_.emplace(*window_);
     interactor_->SetRenderWindow(window_);
     interactor_->SetInteractorStyle(keys_);
-    keys_->attach(*stage_, scene_, [&](const std::string& text) { told_ = text; });
+    keys_->attach(
+        *stage_, scene_, *overlay_, [&](const std::string& text) { told_ = text; });
     window_->Render();
   }
 
@@ -197,6 +241,7 @@ protected:
   std::optional<DisplayConnection> connection_;
   std::optional<LayerStage> stage_;
   vtkNew<vtkRenderWindow> window_;
+  std::optional<Overlay> overlay_;
   vtkNew<vtkRenderWindowInteractor> interactor_;
   vtkNew<LayerKeys> keys_;
   std::string told_;
@@ -217,6 +262,125 @@ TEST_F(LayersInAWindow, KeysTurnLayersOnAndOff)
   }
 }
 
+TEST_F(LayersInAWindow, AClickOnAnEntryOfThePanelTogglesIt)
+{
+  open();
+  const auto click = [&](int row) {
+    interactor_->SetEventInformation(
+        60, view_.height - 12 - 6 - 24 * row - 12, 0, 0, 0);
+    interactor_->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+    interactor_->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
+  };
+  click(0);
+  EXPECT_TRUE(stage_->isShown(SceneLayer::Points));
+  click(4);
+  EXPECT_FALSE(stage_->isShown(SceneLayer::Texture));
+  EXPECT_FALSE(overlay_->rowAt(60, 5));
+  EXPECT_FALSE(overlay_->rowAt(300, view_.height - 30));
+}
+
+TEST_F(LayersInAWindow, TurningKeepsTheHorizonLevel)
+{
+  for (const auto place : {MapView::Place::Outside, MapView::Place::Plan}) {
+    view_.place = place;
+    interactor_->SetInteractorStyle(nullptr);
+    stage_.reset();
+    overlay_.reset();
+    open();
+    vtkCamera& camera = *stage_->renderer()->GetActiveCamera();
+    interactor_->SetEventInformation(150, 50, 0, 0, 0);
+    interactor_->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+    Eigen::Vector3d ahead(camera.GetDirectionOfProjection());
+    for (const auto& [column, row] : {std::pair{190, 80}, {40, 130}, {260, 10}}) {
+      interactor_->SetEventInformation(column, row, 0, 0, 0);
+      interactor_->InvokeEvent(vtkCommand::MouseMoveEvent);
+      const Eigen::Vector3d next(camera.GetDirectionOfProjection());
+      const Eigen::Vector3d right = next.cross(Eigen::Vector3d(camera.GetViewUp()));
+      EXPECT_GT((next - ahead).norm(), 0.05) << "turned";
+      EXPECT_NEAR(right.normalized().dot(stage_->up()), 0, 1e-9);
+      ahead = next;
+    }
+    interactor_->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
+  }
+}
+
+TEST_F(LayersInAWindow, NothingIsClipped)
+{
+  scene_.map.trajectory.poses.back().translation() = Vector3d(0, -4, -5);
+  open();
+  double range[2];
+  vtkCamera& camera = *stage_->renderer()->GetActiveCamera();
+  camera.GetClippingRange(range);
+  for (const auto& pose : scene_.map.trajectory.poses) {
+    const double depth = (pose.translation() - Vector3d(camera.GetPosition()))
+                             .dot(Vector3d(camera.GetDirectionOfProjection()));
+    EXPECT_GT(depth, range[0]);
+    EXPECT_LT(depth, range[1]);
+  }
+}
+
+/** \brief Layers seen from the middle of the room towards the front wall. */
+class MeasuringInAWindow : public LayersInAWindow {
+protected:
+  void
+  open()
+  {
+    view_.place = MapView::Place::Inside;
+    view_.from = Eigen::Vector3f(0, 0, 0);
+    view_.look = Eigen::Vector3f(0, 0, 1);
+    scene_.map.trajectory = {};
+    LayersInAWindow::open();
+  }
+
+  std::string
+  measure(Measuring& measuring, std::array<int, 2> first, std::array<int, 2> second)
+  {
+    measuring.pick(first[0], first[1]);
+    measuring.pick(second[0], second[1]);
+    return measuring.told();
+  }
+
+  std::array<int, 2>
+  pixelOf(const Vector3d& place)
+  {
+    vtkRenderer* const renderer = stage_->renderer();
+    renderer->SetWorldPoint(place.x(), place.y(), place.z(), 1);
+    renderer->WorldToDisplay();
+    const double* const at = renderer->GetDisplayPoint();
+    return {static_cast<int>(at[0]), static_cast<int>(at[1])};
+  }
+};
+
+TEST_F(MeasuringInAWindow, PointsSnapToCorners)
+{
+  open();
+  Measuring measuring(*stage_, scene_.map);
+  EXPECT_EQ(measuring.told(), "");
+  measuring.measureNext();
+  EXPECT_NE(measuring.told().find("click on a point"), std::string::npos);
+  auto low = pixelOf({1, 1.2, 2}), high = pixelOf({1, -0.8, 2}); // of the door
+  low[0] += 4;
+  high[1] -= 3;
+  EXPECT_EQ(measure(measuring, low, high), "2.000 m (upright)");
+  EXPECT_EQ(measure(measuring, high, pixelOf({2, 1.2, 2})),
+            "2.236 m (level 1.000 m, upright 2.000 m)");
+}
+
+TEST_F(MeasuringInAWindow, PlanesAreMeasuredIfTheyAreParallel)
+{
+  open();
+  Measuring measuring(*stage_, scene_.map);
+  measuring.measureNext();
+  measuring.measureNext();
+  const std::string height = measure(measuring, {160, 5}, {160, 235});
+  EXPECT_EQ(height.substr(0, 8), "2.500 m ") << height;
+  EXPECT_NE(height.find("mm"), std::string::npos) << height;
+  const std::string angle = measure(measuring, {160, 5}, {100, 130});
+  EXPECT_NE(angle.find("90"), std::string::npos) << angle;
+  measuring.measureNext();
+  EXPECT_EQ(measuring.told(), "");
+}
+
 TEST_F(LayersInAWindow, AKeyWithoutALayerSaysSo)
 {
   scene_.map.trajectory = {};
@@ -230,8 +394,8 @@ TEST_F(LayersInAWindow, HelpNamesAllKeys)
 {
   open();
   press('h');
-  for (const char* word : {"1 points",
-                           "6 trajectory",
+  for (const char* word : {"1 to 7",
+                           "m: measure",
                            "b: before",
                            "t: planes",
                            "n, N",

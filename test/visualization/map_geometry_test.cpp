@@ -1,7 +1,7 @@
 #include "map_camera.h"
-#include "map_drawing.h"
 #include "map_lines.h"
 #include "room_map.h"
+#include "scale_bar.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "room_map.h"
 
+#include <pcl/core/surface_sentence.h>
 #include <pcl/exceptions.h>
 #include <pcl/visualization/plane_card.h>
 
@@ -20,34 +21,36 @@ expectLine(const std::string& card, const std::string& line)
 
 TEST(PlaneCard, TellsWhatIsKnown)
 {
-  PlanePatch plane = makeRoomMap().planes[0];
-  plane.effective_support = 250;
-  const std::string card = planeCard(plane, 17);
-  expectLine(card, "plane 17");
-  expectLine(card, "equation   0.00000 x +0.00000 y -1.00000 z +2.0000 = 0");
+  CompactMap map = makeRoomMap();
+  map.planes[1].effective_support = 250;
+  map.planes[1].label.name = "Wall of room 2";
+  const std::string card = planeCard(map, 1);
+  EXPECT_EQ(card.substr(0, card.find('\n')), describePlane(map, 1));
+  EXPECT_EQ(card.substr(0, 14), "Wall of room 2");
+  expectLine(card, "plane 1");
+  expectLine(card, "equation   -1.00000 x +0.00000 y +0.00000 z +3.0000 = 0");
   expectLine(card, "deviation  slopes 0.0573 deg and 0.115 deg, offset 3 mm");
   expectLine(card, "support    1000 points, 250 of them independent");
-  expectLine(card, "area       15 m2");
-  expectLine(card, "rmse       4 mm");
+  EXPECT_THROW(planeCard(map, 6), BadArgumentException);
 }
 
 TEST(PlaneCard, SaysWhatIsNotKnown)
 {
-  PlanePatch plane;
+  CompactMap map;
+  PlanePatch& plane = map.planes.emplace_back();
   plane.covariance.setConstant(NAN);
   plane.covariance(1, 1) = -1; // not a valid variance
   plane.area = NAN;
   plane.rms = INFINITY;
-  const std::string card = planeCard(plane, 0);
+  const std::string card = planeCard(map, 0);
   expectLine(card, "deviation  slopes unknown and unknown, offset unknown");
   expectLine(card, "support    0 points");
-  expectLine(card, "area       unknown");
-  expectLine(card, "rmse       unknown");
 }
 
 TEST(CylinderCard, TellsWhatIsKnown)
 {
-  CylinderPatch cylinder;
+  CompactMap map;
+  CylinderPatch& cylinder = map.cylinders.emplace_back();
   cylinder.radius = 0.25;
   cylinder.low = -1;
   cylinder.high = 1.5;
@@ -57,18 +60,18 @@ TEST(CylinderCard, TellsWhatIsKnown)
   cylinder.rms = 0.004;
   cylinder.area = 1.963;
   cylinder.saved_bits = 1234.4;
-  const std::string card = cylinderCard(cylinder, 17);
-  expectLine(card, "cylinder 17, solid");
+  const std::string card = cylinderCard(map, 0);
+  expectLine(card, describeCylinder(map, 0));
+  expectLine(card, "cylinder 0, solid");
   expectLine(card, "radius     0.2500 m, deviation 2 mm");
   expectLine(card, "extent     2.500 m, 180 deg of arc");
   expectLine(card, "support    1000 points");
   expectLine(card, "area       1.963 m2");
-  expectLine(card, "rmse       4 mm");
   expectLine(card, "saved      1234 bits");
   cylinder.is_hollow = true;
   cylinder.covariance.setConstant(NAN);
-  expectLine(cylinderCard(cylinder, 0), "cylinder 0, hollow");
-  expectLine(cylinderCard(cylinder, 0), "radius     0.2500 m, deviation unknown");
+  expectLine(cylinderCard(map, 0), "cylinder 0, hollow");
+  expectLine(cylinderCard(map, 0), "radius     0.2500 m, deviation unknown");
 }
 
 TEST(RecessCard, TellsWhatIsKnown)

@@ -17,7 +17,8 @@ TEST(PointsBefore, MoveWithThePosesThatSawThem)
   auto& poses = scene.trajectory_before.poses;
   poses[1] = scene.map.trajectory.poses[1] * Eigen::Translation3d(0.25, 0, 0) *
              Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY());
-  const auto after = typed(scene.points), before = typed(pointsBefore(scene));
+  const auto after = typed(scene.points),
+             before = typed(pointsUnder(scene, scene.trajectory_before));
   ASSERT_EQ(before.size(), after.size());
   for (std::size_t i = 0; i < before.size(); ++i) {
     const auto view = static_cast<std::size_t>(after[i].view);
@@ -36,7 +37,7 @@ TEST(PointsBefore, OfNoPoseAreLeftOut)
   points[0].view = -1;
   points[1].view = 1000000;
   toPCLPointCloud2(points, scene.points);
-  const auto before = typed(pointsBefore(scene));
+  const auto before = typed(pointsUnder(scene, scene.trajectory_before));
   EXPECT_FALSE(before[0].getVector3fMap().allFinite());
   EXPECT_FALSE(before[1].getVector3fMap().allFinite());
   EXPECT_TRUE(before[2].getVector3fMap().allFinite());
@@ -50,7 +51,7 @@ TEST(PointsBefore, NeedAPoseForEachAndViews)
     if (field.name == "view")
       field.name = "seen";
   EXPECT_EQ(layersBefore(scene), Layers{SceneLayer::Trajectory});
-  EXPECT_THROW(pointsBefore(scene), BadArgumentException);
+  EXPECT_THROW(pointsUnder(scene, scene.trajectory_before), BadArgumentException);
   scene.trajectory_before.poses.pop_back();
   EXPECT_TRUE(layersBefore(scene).empty());
 }
@@ -59,7 +60,7 @@ TEST(PointsBefore, ACloudWithTooFewBytesIsRefused)
 {
   LayeredScene scene = makeViewedRoom();
   scene.points.data.resize(scene.points.data.size() - 1);
-  EXPECT_THROW(pointsBefore(scene), BadArgumentException);
+  EXPECT_THROW(pointsUnder(scene, scene.trajectory_before), BadArgumentException);
 }
 
 TEST(WallSteps, AreTheDepthsOfWallsAndTheRest)

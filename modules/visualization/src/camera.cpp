@@ -5,6 +5,8 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -68,20 +70,59 @@ upOf(const SceneView& view,
   return box.half.y() < box.half.z() ? Vector3d(-Vector3d::UnitY()) : Vector3d::UnitZ();
 }
 
-/** \brief Default viewing direction. */
+/** \brief Is the sensor on one side of nearly all points? */
+bool
+isBeside(const Eigen::Vector3f& sensor,
+         const Eigen::Vector3f& middle,
+         const std::vector<Eigen::Vector3f>& points)
+{
+  constexpr float least_cosine = 0.35F; // with the direction of the middle
+  const Eigen::Vector3f ahead = (middle - sensor).normalized();
+  const auto seen = std::count_if(points.begin(), points.end(), [&](const auto& p) {
+    return (p - sensor).dot(ahead) > least_cosine * (p - sensor).norm();
+  });
+  return static_cast<double>(seen) >= 0.95 * static_cast<double>(points.size());
+}
+
+/** \brief The horizontal direction across the longer side of points, away from the
+ * origin, where scanners often stand. */
+Vector3d
+acrossOf(const std::vector<Eigen::Vector3f>& points,
+         const RobustBox& box,
+         const Vector3d& up)
+{
+  constexpr double stray_factor = 3;
+  const Vector3d e = up.unitOrthogonal(), f = up.cross(e);
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Eigen::Vector3f& point : points)
+    if (const Vector3d p = point.cast<double>(); box.contains(p, stray_factor)) {
+      const Eigen::Vector2d q((p - box.middle).dot(e), (p - box.middle).dot(f));
+      spread += q * q.transpose();
+    }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(spread);
+  const Eigen::Vector2d least = solver.eigenvectors().col(0);
+  const Vector3d across = least.x() * e + least.y() * f;
+  return across.dot(box.middle) < 0 ? Vector3d(-across) : across;
+}
+
+/** \brief Default viewing direction.
+ * \param[in] facing mean normal of the surface; zero if there is none */
 Vector3d
 obliqueDirection(const SceneView& view,
-                 bool seen_by_sensor,
-                 const Vector3d& focus,
+                 const std::vector<Eigen::Vector3f>& points,
+                 const RobustBox& box,
                  const Vector3d& facing,
                  const Vector3d& up)
 {
-  if (seen_by_sensor) {
+  if (view.sensor_origin &&
+      isBeside(*view.sensor_origin, box.middle.cast<float>(), points)) {
+    const Vector3d focus = view.look ? Vector3d(view.look->cast<double>()) : box.middle;
     const Vector3d straight = focus - view.sensor_origin->cast<double>();
     return turned(straight.normalized(), up, sensor_yaw, sensor_pitch);
   }
   const Vector3d level = -(facing - facing.dot(up) * up);
-  return turned(level.norm() > 0.1 ? Vector3d(level.normalized()) : up.unitOrthogonal(),
+  return turned(level.norm() > 0.1 ? Vector3d(level.normalized())
+                                   : acrossOf(points, box, up),
                 up,
                 object_yaw,
                 object_pitch);
@@ -128,6 +169,7 @@ lookAlong(const std::vector<Eigen::Vector3f>& points,
 {
   const RobustBox box(points);
   Camera camera;
+  camera.vertical = up;
   camera.view_angle = view_angle;
   camera.focus = view.look ? Vector3d(view.look->cast<double>()) : box.middle;
   if (view.from) {
@@ -155,10 +197,7 @@ placeCamera(const std::vector<Eigen::Vector3f>& points,
   const RobustBox box(points);
   const auto sensor = seeingSensor(view, points);
   const Vector3d up = upOf(view, sensor, box);
-  const Vector3d focus = view.look ? Vector3d(view.look->cast<double>()) : box.middle;
-  const Vector3d direction =
-      obliqueDirection(view, sensor.has_value(), focus, facing, up);
-  return lookAlong(points, direction, up, view);
+  return lookAlong(points, obliqueDirection(view, points, box, facing, up), up, view);
 }
 
 } // namespace pcl::acmap

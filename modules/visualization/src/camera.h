@@ -20,6 +20,8 @@ struct Camera {
   double near;                ///< near clipping distance along the view, metres
   double far;                 ///< far clipping distance along the view, metres
   double parallel_height = 0; ///< height of an orthographic picture, metres
+  Eigen::Vector3d vertical =
+      Eigen::Vector3d::Zero(); ///< upwards in the scene; zero: up
 };
 
 /** \brief Chooses a camera for points.

@@ -10,14 +10,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double margin = 1.04;
+constexpr double margin = 1.1;
 
 /** Points farther away than this many half box sizes are outliers that need not be
  * visible. */
 constexpr double stray_factor = 3.0;
 
 /** Fraction of the other points that may be cut off at each border. */
-constexpr double cut_share = 0.0025;
+constexpr double cut_share = 0.0005;
 
 /** Iterations of centring and fitting; each changes the perspective a little. */
 constexpr int rounds = 4;

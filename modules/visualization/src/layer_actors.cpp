@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <unordered_set>
 
 namespace pcl::acmap {
 
@@ -72,6 +74,50 @@ cutForPlan(const LayerMaking& making, const Trajectory& trajectory, Scene& point
   points.colors.resize(points.colors.empty() ? 0 : kept);
 }
 
+/** \brief Number of squares of a picture in which there are points.
+ * \param[in] side of a square, pixels */
+std::size_t
+squaresWithPoints(const std::vector<Eigen::Vector2f>& pixels, float side)
+{
+  std::unordered_set<std::uint64_t> squares;
+  for (const Eigen::Vector2f& pixel : pixels) {
+    const Eigen::Array2i square = (pixel / side).array().floor().cast<int>();
+    squares.insert(std::uint64_t{static_cast<std::uint32_t>(square.x())} << 32 |
+                   static_cast<std::uint32_t>(square.y()));
+  }
+  return squares.size();
+}
+
+/** \brief The size at which points close up to surfaces in the first picture, pixels. */
+double
+pointSize(const std::vector<Eigen::Vector3f>& points,
+          const Camera& camera,
+          const SceneView& view)
+{
+  constexpr float least = 3, most = 8;
+  constexpr double closed = 0.85; // of the squares twice as large
+  const Eigen::Vector3d ahead = (camera.focus - camera.position).normalized();
+  const Eigen::Vector3d right = ahead.cross(camera.up);
+  const double slope = std::tan(camera.view_angle / 2 * degree);
+  std::vector<Eigen::Vector2f> pixels;
+  for (const Eigen::Vector3f& point : points) {
+    const Eigen::Vector3d d = point.cast<double>() - camera.position;
+    const double half_height =
+        camera.parallel_height > 0 ? camera.parallel_height / 2 : slope * d.dot(ahead);
+    const Eigen::Vector2d place = Eigen::Vector2d(d.dot(right), d.dot(camera.up)) *
+                                  (view.height / 2.0 / half_height);
+    if (half_height > 0 && std::abs(place.y()) < view.height &&
+        std::abs(place.x()) < view.width)
+      pixels.push_back(place.cast<float>());
+  }
+  float size = least;
+  while (size < most &&
+         4.0 * static_cast<double>(squaresWithPoints(pixels, 2 * size)) * closed >
+             static_cast<double>(squaresWithPoints(pixels, size)))
+    ++size;
+  return size;
+}
+
 Actors
 pointLayer(const LayerMaking& making,
            const PCLPointCloud2& cloud,
@@ -79,8 +125,7 @@ pointLayer(const LayerMaking& making,
 {
   Scene points = sceneOf(cloud, {}, making.view);
   cutForPlan(making, trajectory, points);
-  const bool alone = !making.drawing && making.scene.mesh.triangles.empty();
-  return {alone ? actorOfPoints(points, making.camera) : actorOfPoints(points)};
+  return {actorOfPoints(points, pointSize(points.points, making.camera, making.view))};
 }
 
 Actors
@@ -100,24 +145,18 @@ hidesBacks(const LayerMaking& making)
   return making.view.hide_backs || (making.drawing && making.drawing->hidesBacks());
 }
 
-Actors
-proposedLayer(const LayerMaking& making)
+/** \brief The proposed surfaces as planes of a map. */
+CompactMap
+proposedMap(const CompactMap& map)
 {
-  CompactMap map;
-  map.planes = making.scene.map.planes;
-  std::vector<MapLine> lines;
-  for (std::size_t plane = 0; plane < map.planes.size(); ++plane) {
-    map.planes[plane].polygons = map.planes[plane].proposed;
-    append(lines, outlinesOf(map, plane));
-  }
-  for (const BoxPatch& box : making.scene.map.boxes)
-    for (PlanePatch& side : freeSidesOf(box)) {
-      map.planes.push_back(std::move(side));
-      append(lines, outlinesOf(map, map.planes.size() - 1));
-    }
-  Actors actors = actorsOfPlanes(facesOf(map), hidesBacks(making), layer_opacity);
-  actors.push_back(actorOfOutlines(lines));
-  return actors;
+  CompactMap proposed;
+  proposed.planes = map.planes;
+  for (PlanePatch& plane : proposed.planes)
+    plane.polygons = plane.proposed;
+  for (const BoxPatch& box : map.boxes)
+    for (PlanePatch& side : freeSidesOf(box))
+      proposed.planes.push_back(std::move(side));
+  return proposed;
 }
 
 } // namespace
@@ -142,6 +181,25 @@ cameraOf(const LayeredScene& scene, const LayeredView& view)
       scene.map, {}, samples, frameOf(scene.map, samples, view), view);
 }
 
+std::vector<Eigen::Vector3f>
+pointsToSee(const LayeredScene& scene, const LayeredView& view)
+{
+  std::vector<Eigen::Vector3f> points;
+  const auto see = [&](const PCLPointCloud2& cloud, const TriangleMesh& mesh) {
+    const auto more = someOf(makeScene(cloud, mesh).points);
+    points.insert(points.end(), more.begin(), more.end());
+  };
+  const std::set<SceneLayer> all = layersOf(scene);
+  const auto shows = [&](SceneLayer layer) {
+    return view.layers.count(layer) != 0 && all.count(layer) != 0;
+  };
+  if (shows(SceneLayer::Points))
+    see(cloudOf(scene), {});
+  if (shows(SceneLayer::Mesh))
+    see(scene.vertices, scene.mesh);
+  return points;
+}
+
 Actors
 actorsOfLayer(const LayerMaking& making, SceneLayer layer)
 {
@@ -152,35 +210,66 @@ actorsOfLayer(const LayerMaking& making, SceneLayer layer)
   case SceneLayer::Mesh: {
     const Scene mesh = sceneOf(scene.vertices, scene.mesh, making.view);
     Actors actors = actorsOfMesh(mesh, hidesBacks(making));
+    if (making.view.show_edges)
+      showEdges(actors);
     if (making.view.show_boundary)
       actors.push_back(actorOfBoundary(mesh));
     return actors;
   }
   case SceneLayer::Normals:
     return {actorOfNormals(sceneOf(scene.vertices, scene.mesh, making.view))};
-  case SceneLayer::Planes: {
-    Actors actors = making.drawing->planes(layer_opacity);
-    for (const auto& lines : making.drawing->outlines())
-      actors.push_back(lines);
-    return actors;
-  }
+  case SceneLayer::Planes:
+    return making.drawing->planes(layer_opacity);
   case SceneLayer::Texture:
     return making.drawing->textures();
   case SceneLayer::Trajectory:
     return wayOf(making, scene.map.trajectory);
   case SceneLayer::Proposed:
-    return proposedLayer(making);
+    return actorsOfPlanes(
+        facesOf(proposedMap(scene.map)), hidesBacks(making), layer_opacity);
   }
   return {};
 }
 
-Actors
-actorsBefore(const LayerMaking& making, SceneLayer layer)
+std::vector<SurfaceOutline>
+outlinesOfLayer(const LayerMaking& making, SceneLayer layer)
 {
-  const Trajectory& trajectory = making.scene.trajectory_before;
+  if (layer == SceneLayer::Planes)
+    return making.drawing->outlinesApart();
+  std::vector<SurfaceOutline> outlines;
+  if (layer != SceneLayer::Proposed)
+    return outlines;
+  const CompactMap map = proposedMap(making.scene.map);
+  for (std::size_t plane = 0; plane < map.planes.size(); ++plane)
+    if (const auto lines = outlinesOf(map, plane); !lines.empty())
+      outlines.push_back({actorOfOutlines(lines), map.planes[plane].coefficients});
+  return outlines;
+}
+
+Actors
+actorsBefore(const LayerMaking& making,
+             SceneLayer layer,
+             const Trajectory& poses,
+             std::size_t step)
+{
   if (layer == SceneLayer::Points)
-    return pointLayer(making, pointsBefore(making.scene), trajectory);
-  return wayOf(making, trajectory);
+    return pointLayer(making, pointsUnder(making.scene, poses, step), poses);
+  return wayOf(making, poses);
+}
+
+Trajectory
+posesBetween(const LayeredScene& scene, double share)
+{
+  const Trajectory& after = scene.map.trajectory;
+  Trajectory between = scene.trajectory_before;
+  for (std::size_t i = 0; i < between.poses.size(); ++i) {
+    Eigen::Isometry3d& pose = between.poses[i];
+    const Eigen::Quaterniond from(pose.linear()), to(after.poses[i].linear());
+    pose.linear() = from.slerp(share, to).toRotationMatrix();
+    pose.translation() =
+        (1 - share) * pose.translation() + share * after.poses[i].translation();
+  }
+  return between;
 }
 
 Actors
@@ -249,7 +338,7 @@ hasViews(const PCLPointCloud2& cloud)
 }
 
 PCLPointCloud2
-pointsBefore(const LayeredScene& scene)
+pointsUnder(const LayeredScene& scene, const Trajectory& poses, std::size_t step)
 {
   const PCLPointField* fields[4] = {};
   const char* const names[] = {"x", "y", "z"};
@@ -261,11 +350,18 @@ pointsBefore(const LayeredScene& scene)
       throw acmap::BadArgument("points without x y z and view have no place before");
     requireInside(*field, scene.points);
   }
-  PCLPointCloud2 cloud = scene.points;
-  const auto motions = motionsOf(scene.map.trajectory, scene.trajectory_before);
-  const std::size_t size = std::size_t{cloud.width} * cloud.height;
-  for (std::size_t i = 0; i < size; ++i) {
-    std::uint8_t* const bytes = cloud.data.data() + i * cloud.point_step;
+  PCLPointCloud2 cloud;
+  cloud.fields = scene.points.fields;
+  cloud.point_step = scene.points.point_step;
+  const auto motions = motionsOf(scene.map.trajectory, poses);
+  const std::size_t size = std::size_t{scene.points.width} * scene.points.height;
+  cloud.height = 1;
+  cloud.width = static_cast<std::uint32_t>((size + step - 1) / step);
+  cloud.row_step = cloud.width * cloud.point_step;
+  cloud.data.resize(std::size_t{cloud.width} * cloud.point_step);
+  std::uint8_t* bytes = cloud.data.data();
+  for (std::size_t i = 0; i < size; i += step, bytes += cloud.point_step) {
+    std::memcpy(bytes, &scene.points.data[i * cloud.point_step], cloud.point_step);
     std::int32_t view = 0;
     std::memcpy(&view, bytes + fields[3]->offset, sizeof view);
     Eigen::Vector3f point;

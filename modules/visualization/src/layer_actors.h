@@ -26,12 +26,29 @@ cloudOf(const LayeredScene& scene);
 Camera
 cameraOf(const LayeredScene& scene, const LayeredView& view);
 
+/** \brief Some of the points and vertices of the layers that are shown at first. */
+std::vector<Eigen::Vector3f>
+pointsToSee(const LayeredScene& scene, const LayeredView& view);
+
 Actors
 actorsOfLayer(const LayerMaking& making, SceneLayer layer);
 
-/** \brief The layer of the points or of the trajectory before rectification. */
+/** \brief The outlines of the planes or of the proposed surfaces; nothing for others. */
+std::vector<SurfaceOutline>
+outlinesOfLayer(const LayerMaking& making, SceneLayer layer);
+
+/** \brief The layer of the points or of the trajectory with other poses, as they were
+ * before rectification or on the way from there.
+ * \param[in] step every how many points one is shown */
 Actors
-actorsBefore(const LayerMaking& making, SceneLayer layer);
+actorsBefore(const LayerMaking& making,
+             SceneLayer layer,
+             const Trajectory& poses,
+             std::size_t step = 1);
+
+/** \brief Poses on the way from before rectification (share 0) to after it (1). */
+Trajectory
+posesBetween(const LayeredScene& scene, double share);
 
 /** \brief The layer of the mesh at a step of the walls. */
 Actors
@@ -41,12 +58,14 @@ actorsOfStep(const LayerMaking& making, std::size_t step);
 bool
 hasViews(const PCLPointCloud2& cloud);
 
-/** \brief The points under the poses before rectification: those of view i are moved by
- * T_before_i * T_after_i^-1; points without a valid view become NaN.
- * \param[in] scene has an earlier pose for each pose, and points with view and x y z
+/** \brief The points under other poses, as those before rectification: those of view i
+ * are moved by T_i * T_after_i^-1; points without a valid view become NaN.
+ * \param[in] scene has points with view and x y z
+ * \param[in] poses one for each pose of the map
+ * \param[in] step every how many points one is returned
  * \throws BadArgumentException when the fields are missing or not inside the cloud */
 PCLPointCloud2
-pointsBefore(const LayeredScene& scene);
+pointsUnder(const LayeredScene& scene, const Trajectory& poses, std::size_t step = 1);
 
 /** \brief The triangles that were constructed by the walls up to a step: those of this
  * step in the full colour of their depth, those of earlier steps in a pale one; at the

@@ -3,20 +3,69 @@
 #include "layer_actors.h"
 
 #include <pcl/core/exceptions.h>
-#include <pcl/core/surface_sentence.h>
 #include <pcl/visualization/plane_card.h>
 
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkTextProperty.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <iterator>
 
 namespace pcl::acmap {
 
 namespace {
 
-constexpr int tick = 40; // milliseconds
+constexpr int tick = 40;              // milliseconds
+constexpr double slide_seconds = 1.6; // from before to after rectification
+
+const char* const layer_help =
+    "1 to 7, or a click on a name: a layer on and off\n"
+    "left button: turn   middle: move   right, wheel: nearer and farther\n"
+    "r: all in view   w, s: wires, surfaces\n"
+    "m: measure between points, between planes, end\n"
+    "p or shift and click: the card of the plane under the mouse\n"
+    "t: planes with and without texture\n"
+    "b: before and after rectification\n"
+    "space: fly along the trajectory, and stop\n"
+    "n, N: next and previous step of the walls that made the mesh\n"
+    "h: this help, on and off   q: end\n";
+
+const char* const hint = "left: turn   middle: move   wheel: zoom   m: measure   "
+                         "p: what is this   h: help   q: end";
+
+Color
+colorOf(SceneLayer layer)
+{
+  switch (layer) {
+  case SceneLayer::Points:
+    return {0.20, 0.40, 0.70};
+  case SceneLayer::Mesh:
+    return {0.60, 0.60, 0.58};
+  case SceneLayer::Normals:
+    return {0.10, 0.55, 0.25};
+  case SceneLayer::Planes:
+    return {0.95, 0.60, 0.25};
+  case SceneLayer::Texture:
+    return {0.55, 0.40, 0.30};
+  case SceneLayer::Trajectory:
+    return trajectory_color;
+  case SceneLayer::Proposed:
+    break;
+  }
+  return {0.36, 0.56, 0.84};
+}
+
+/** "998 507" */
+std::string
+grouped(std::size_t count)
+{
+  std::string text = std::to_string(count);
+  for (std::size_t i = text.size(); i > 3; i -= 3)
+    text.insert(i - 3, " ");
+  return text;
+}
 
 /** Does a plane lie in a side of a box? */
 bool
@@ -30,39 +79,39 @@ isSideOf(const BoxPatch& box, std::size_t plane)
 
 } // namespace
 
-const char* const layer_help =
-    "1 points   2 mesh   3 normals   4 planes   5 texture   "
-    "6 trajectory   7 proposed: on and off\n"
-    "b: before and after rectification   t: planes with and without texture\n"
-    "n, N: next and previous step of the walls that made the mesh\n"
-    "space: fly along the trajectory, and stop\n"
-    "p or shift and click: the card of the plane under the "
-    "mouse\n"
-    "r: all in view   w, s: wires, surfaces   h: this help   "
-    "q: end\n";
+std::string
+describeScene(const LayeredScene& scene)
+{
+  std::string text;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0)
+      text += (text.empty() ? "" : ", ") + grouped(count) + " " + what;
+  };
+  add(countOf(scene, SceneLayer::Points), "points");
+  add(scene.mesh.triangles.size(), "triangles");
+  add(scene.map.planes.size(), "planes");
+  add(scene.map.cylinders.size(), "cylinders");
+  add(scene.map.trajectory.poses.size(), "poses");
+  return text;
+}
 
 vtkStandardNewMacro(LayerKeys);
 
 void
 LayerKeys::attach(LayerStage& stage,
                   const LayeredScene& scene,
+                  Overlay& overlay,
                   const std::function<void(const std::string&)>& tell)
 {
-  constexpr int font_pixels = 16;
-  constexpr int border = 12;
   stage_ = &stage;
   scene_ = &scene;
+  overlay_ = &overlay;
   tell_ = tell;
   replay_.emplace(stage);
-  vtkTextProperty* const text = card_->GetTextProperty();
-  text->SetFontFamilyToCourier();
-  text->SetFontSize(font_pixels);
-  text->SetColor(0.1, 0.1, 0.1);
-  text->SetBackgroundColor(1, 1, 1);
-  text->SetBackgroundOpacity(0.8);
-  card_->SetPosition(border, border);
-  card_->VisibilityOff();
-  stage.renderer()->AddActor2D(card_);
+  measuring_.emplace(stage, scene.map);
+  overlay.setCamera(stage.renderer());
+  overlay.setHint(hint);
+  showRows();
 }
 
 void
@@ -84,16 +133,24 @@ LayerKeys::OnChar()
   else if (key == 'p')
     showCard();
   else if (key == 'h')
-    say(layer_help);
-  else
-    vtkInteractorStyleTrackballCamera::OnChar();
+    toggleHelp();
+  else if (key == 'm')
+    measureNext();
+  else if (key == 'r')
+    attempt([&] { stage_->lookAtAll(); });
+  else if (std::strchr("wsqe", key))
+    vtkInteractorStyleTerrain::OnChar();
 }
 
 void
 LayerKeys::OnTimer()
 {
+  if (slide_) {
+    advanceSlide();
+    return;
+  }
   if (!replay_ || !replay_->isRunning()) {
-    vtkInteractorStyleTrackballCamera::OnTimer();
+    vtkInteractorStyleTerrain::OnTimer();
     return;
   }
   replay_->advance(tick / 1000.0);
@@ -108,10 +165,29 @@ LayerKeys::OnTimer()
 void
 LayerKeys::OnLeftButtonDown()
 {
+  const int* const place = Interactor->GetEventPosition();
+  pressed_ = {place[0], place[1]};
   if (Interactor->GetShiftKey())
     showCard();
-  else
-    vtkInteractorStyleTrackballCamera::OnLeftButtonDown();
+  else if (!clickPanel()) {
+    stage_->standUpright();
+    vtkInteractorStyleTerrain::OnLeftButtonDown();
+  }
+}
+
+void
+LayerKeys::OnLeftButtonUp()
+{
+  constexpr int still = 3; // pixels: a click, not a turn
+  vtkInteractorStyleTerrain::OnLeftButtonUp();
+  const int* const place = Interactor->GetEventPosition();
+  if (measuring_->between() == Measuring::Between::Nothing ||
+      std::abs(place[0] - pressed_[0]) > still ||
+      std::abs(place[1] - pressed_[1]) > still)
+    return;
+  measuring_->pick(place[0], place[1]);
+  caption(measuring_->told());
+  Interactor->Render();
 }
 
 void
@@ -124,6 +200,7 @@ LayerKeys::attempt(const std::function<void()>& deed)
   catch (const PCLException& e) {
     say(std::string(e.what()) + "\n");
   }
+  showRows();
   Interactor->Render();
 }
 
@@ -140,8 +217,34 @@ LayerKeys::toggleBefore()
   stage_->play(before ? Act::Map : Act::Before);
   stopFlight();
   replay_->leave();
-  caption({});
+  startSlide(!before);
+  caption(before ? "after rectification" : "before rectification");
   say(before ? "after rectification\n" : "before rectification\n");
+}
+
+void
+LayerKeys::startSlide(bool to_before)
+{
+  if (slide_)
+    stage_->endSlide();
+  slide_ = Slide{0, to_before};
+  startTimer();
+}
+
+void
+LayerKeys::advanceSlide()
+{
+  slide_->time += tick / 1000.0;
+  const double t = std::min(1.0, slide_->time / slide_seconds);
+  const double smooth = t * t * (3 - 2 * t);
+  if (t < 1)
+    stage_->slide(slide_->to_before ? 1 - smooth : smooth);
+  else {
+    slide_.reset();
+    stopTimer();
+    stage_->endSlide();
+  }
+  Interactor->Render();
 }
 
 void
@@ -193,13 +296,27 @@ LayerKeys::toggleFlight()
   replay_->start();
   caption(replay_->describe());
   if (replay_->isRunning())
-    timer_ = Interactor->CreateRepeatingTimer(tick);
+    startTimer();
 }
 
 void
 LayerKeys::stopFlight()
 {
   replay_->stop();
+  if (!slide_)
+    stopTimer();
+}
+
+void
+LayerKeys::startTimer()
+{
+  if (timer_ == 0)
+    timer_ = Interactor->CreateRepeatingTimer(tick);
+}
+
+void
+LayerKeys::stopTimer()
+{
   if (timer_ != 0)
     Interactor->DestroyTimer(timer_);
   timer_ = 0;
@@ -214,10 +331,7 @@ LayerKeys::showCard()
     const CompactMap& map = scene_->map;
     const std::size_t planes = map.planes.size();
     std::string card =
-        *plane < planes
-            ? describePlane(map, *plane) + "\n" + planeCard(map.planes[*plane], *plane)
-            : describeCylinder(map, *plane - planes) + "\n" +
-                  cylinderCard(map.cylinders[*plane - planes], *plane - planes);
+        *plane < planes ? planeCard(map, *plane) : cylinderCard(map, *plane - planes);
     for (std::size_t box = 0; box < map.boxes.size(); ++box)
       if (isSideOf(map.boxes[box], *plane))
         card += boxCard(map.boxes[box], box);
@@ -235,10 +349,45 @@ LayerKeys::showCard()
 }
 
 void
-LayerKeys::caption(const std::string& text)
+LayerKeys::toggleHelp()
 {
-  card_->SetInput(text.c_str());
-  card_->SetVisibility(!text.empty());
+  const bool is_shown = overlay_->hasNotice();
+  overlay_->setNotice(is_shown ? "" : layer_help);
+  if (!is_shown)
+    say(layer_help);
+  Interactor->Render();
+}
+
+void
+LayerKeys::measureNext()
+{
+  measuring_->measureNext();
+  caption(measuring_->told());
+  Interactor->Render();
+}
+
+bool
+LayerKeys::clickPanel()
+{
+  const auto row = overlay_->rowAt(pressed_[0], pressed_[1]);
+  if (!row)
+    return false;
+  const std::set<SceneLayer> layers = layersOf(*scene_);
+  attempt([&] { toggle(*std::next(layers.begin(), static_cast<long>(*row))); });
+  return true;
+}
+
+void
+LayerKeys::showRows()
+{
+  std::vector<LayerRow> rows;
+  for (const SceneLayer layer : layersOf(*scene_))
+    rows.push_back({static_cast<char>('0' + static_cast<int>(layer)),
+                    nameOf(layer),
+                    grouped(countOf(*scene_, layer)),
+                    colorOf(layer),
+                    stage_->isShown(layer)});
+  overlay_->setRows(rows);
 }
 
 void

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "layer_stage.h"
+#include "measuring.h"
+#include "overlay.h"
 #include "replay.h"
 
-#include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkNew.h>
-#include <vtkTextActor.h>
+#include <vtkInteractorStyleTerrain.h>
 
 #include <functional>
 #include <optional>
@@ -13,24 +13,26 @@
 
 namespace pcl::acmap {
 
-/** \brief Help text for the keys of a window with layers. */
-extern const char* const layer_help;
+/** \brief What there is of a scene: "998 507 points, 13 planes". */
+std::string
+describeScene(const LayeredScene& scene);
 
-/** \brief Interactor style with keys that toggle layers, show the card of a plane,
- * the state before rectification and the steps of the walls, and fly along the
- * trajectory. */
-class LayerKeys : public vtkInteractorStyleTrackballCamera {
+/** \brief Interactor style that turns the scene about the vertical, with keys that toggle
+ * layers, show the card of a plane, the state before rectification and the steps of the
+ * walls, measure, and fly along the trajectory. */
+class LayerKeys : public vtkInteractorStyleTerrain {
 public:
   static LayerKeys*
   New();
 
-  vtkTypeMacro(LayerKeys, vtkInteractorStyleTrackballCamera);
+  vtkTypeMacro(LayerKeys, vtkInteractorStyleTerrain);
 
-  /** \param[in] stage, scene must outlive this object
+  /** \param[in] stage, scene, overlay must outlive this object
    * \param[in] tell may be empty */
   void
   attach(LayerStage& stage,
          const LayeredScene& scene,
+         Overlay& overlay,
          const std::function<void(const std::string&)>& tell);
 
   void
@@ -42,6 +44,9 @@ public:
   void
   OnLeftButtonDown() override;
 
+  void
+  OnLeftButtonUp() override;
+
 private:
   /** \brief Calls a function and reports its exception, if any. */
   void
@@ -52,6 +57,13 @@ private:
 
   void
   toggleBefore();
+
+  /** \brief Moves the points to where they were before rectification, or back. */
+  void
+  startSlide(bool to_before);
+
+  void
+  advanceSlide();
 
   void
   toggleTexture();
@@ -71,9 +83,31 @@ private:
   void
   showCard();
 
+  void
+  toggleHelp();
+
+  void
+  measureNext();
+
+  /** \brief Is there a row of the panel under the mouse? Then toggles its layer. */
+  bool
+  clickPanel();
+
+  void
+  showRows();
+
   /** \brief Shows text in the corner; an empty text hides it. */
   void
-  caption(const std::string& text);
+  caption(const std::string& text)
+  {
+    overlay_->setCard(text);
+  }
+
+  void
+  startTimer();
+
+  void
+  stopTimer();
 
   void
   say(const std::string& text);
@@ -81,9 +115,17 @@ private:
   LayerStage* stage_ = nullptr;
   const LayeredScene* scene_ = nullptr;
   std::function<void(const std::string&)> tell_;
+  Overlay* overlay_ = nullptr;
   std::optional<Replay> replay_;
+  std::optional<Measuring> measuring_;
   int timer_ = 0;
-  vtkNew<vtkTextActor> card_;
+  std::array<int, 2> pressed_{}; ///< where the left button went down, pixels
+
+  struct Slide {
+    double time = 0; ///< seconds
+    bool to_before = false;
+  };
+  std::optional<Slide> slide_;
 };
 
 } // namespace pcl::acmap

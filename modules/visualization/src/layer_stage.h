@@ -1,6 +1,7 @@
 #pragma once
 
 #include "map_drawing.h"
+#include "map_faces.h"
 #include "scene.h"
 
 #include <pcl/visualization/layered_scene.h>
@@ -22,6 +23,19 @@ enum class Act {
   Walls   ///< a step of the construction of the mesh
 };
 
+const char*
+nameOf(SceneLayer layer);
+
+/** \brief How many points, triangles, vertices, surfaces or poses a layer has. */
+std::size_t
+countOf(const LayeredScene& scene, SceneLayer layer);
+
+/** \brief A place under a pixel. */
+struct PickedPlace {
+  Eigen::Vector3d point;              ///< metres
+  std::optional<std::size_t> surface; ///< as the plane in MapFaces; none: of points
+};
+
 /** \brief Layers with lights and a camera; each layer is created when it is first
  * shown. */
 class LayerStage {
@@ -29,6 +43,12 @@ public:
   /** \param[in] scene must outlive this object
    * \throws as \ref saveSnapshot of layers */
   LayerStage(const LayeredScene& scene, const LayeredView& view);
+
+  ~LayerStage();
+
+  LayerStage(const LayerStage&) = delete;
+  LayerStage&
+  operator=(const LayerStage&) = delete;
 
   vtkRenderer*
   renderer() const
@@ -51,6 +71,16 @@ public:
   void
   playStep(std::size_t step);
 
+  /** \brief Shows the layers of before rectification on their way to where they are after
+   * it, whatever the act is; \ref endSlide shows the act again.
+   * \param[in] share of the way, 0 to 1
+   * \throws BadArgumentException when there is no state before */
+  void
+  slide(double share);
+
+  void
+  endSlide();
+
   std::size_t
   step() const
   {
@@ -70,13 +100,41 @@ public:
   const Trajectory&
   trajectory() const;
 
-  /** \brief Sets the camera; the clipping range is computed from the visible layers. */
   void
   look(const Camera& camera);
+
+  /** \brief Sets the first camera again. */
+  void
+  lookAtAll();
+
+  /** \brief Makes the horizon level. A view straight up or down is tilted a little, so
+   * that it can be turned about the vertical. */
+  void
+  standUpright();
 
   /** \brief The plane at a pixel; pixels are counted from the lower left. */
   std::optional<std::size_t>
   planeAt(double column, double row) const;
+
+  /** \brief The visible corner of a plane next to a pixel, else its edge there, else the
+   * surface or the point under the pixel.
+   * \param[in] snaps false: the surface or the point alone */
+  std::optional<PickedPlace>
+  placeAt(double column, double row, bool snaps) const;
+
+  /** \brief Upwards in the scene. */
+  const Eigen::Vector3d&
+  up() const
+  {
+    return camera_.vertical;
+  }
+
+  /** \brief The layers that the current act can show. */
+  std::set<SceneLayer>
+  layers() const
+  {
+    return layersOfAct(act_);
+  }
 
   /** \brief Adds annotations of a plan, which only still pictures have. */
   void
@@ -93,6 +151,24 @@ private:
   static Place
   placeOf(Act act, SceneLayer layer);
 
+  /** \brief What is under a pixel at a depth, 0 at the near plane to 1 at the far one. */
+  Eigen::Vector3d
+  worldAt(double column, double row, double depth) const;
+
+  /** \brief Column, row and depth of a place. */
+  Eigen::Vector3d
+  pixelOf(const Eigen::Vector3d& place) const;
+
+  /** \brief Is no plane before a place? */
+  bool
+  isSeen(const Eigen::Vector3d& place) const;
+
+  std::optional<RayHit>
+  hitAt(double column, double row) const;
+
+  std::optional<PickedPlace>
+  snappedAt(double column, double row) const;
+
   void
   require(Act act) const;
 
@@ -103,7 +179,19 @@ private:
   prepare(Act act, SceneLayer layer);
 
   void
+  put(const Place& place, const Actors& actors);
+
+  void
+  remove(const Place& place);
+
+  void
   update();
+
+  /** \brief Adapts to the camera what depends on it: the clipping range, which contains
+   * all visible layers, the outlines of planes that look away, and how far the mesh is
+   * pushed back. */
+  void
+  prepareFrame();
 
   const LayeredScene& scene_;
   LayeredView view_;
@@ -114,6 +202,11 @@ private:
   std::size_t step_ = 0;
   std::map<Act, std::set<SceneLayer>> shown_;
   std::map<Place, vtkSmartPointer<vtkAssembly>> layers_;
+  Actors plane_faces_;
+  std::vector<SurfaceOutline> outlines_;
+  Actors mesh_;
+  double roughness_ = 0; ///< of the planes, metres
+  unsigned long observer_ = 0;
 };
 
 } // namespace pcl::acmap

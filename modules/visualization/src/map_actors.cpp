@@ -14,8 +14,8 @@ namespace pcl::acmap {
 namespace {
 
 constexpr double outline_pixels = 2;
-constexpr double trajectory_pixels = 3;
-constexpr double axis_pixels = 2;
+constexpr double trajectory_pixels = 4;
+constexpr double axis_pixels = 3;
 constexpr std::size_t max_axes = 50;
 
 ByteColor
@@ -23,6 +23,18 @@ colorOf(std::size_t plane)
 {
   const RGB color = GlasbeyLUT::at(plane % GlasbeyLUT::size());
   return {color.r, color.g, color.b};
+}
+
+/** \brief A colour of a plane, mixed with white, for its area. */
+Color
+paleColorOf(std::size_t plane)
+{
+  constexpr double white = 0.4;
+  Color pale;
+  std::size_t channel = 0;
+  for (const std::uint8_t value : colorOf(plane))
+    pale[channel++] = white + (1 - white) * value / 255.0;
+  return pale;
 }
 
 vtkSmartPointer<vtkActor>
@@ -58,12 +70,10 @@ actorsOfPlanes(const std::vector<MapFaces>& faces, bool hide_backs, double opaci
     vtkNew<vtkPolyData> data;
     data->SetPoints(pointsOf(part.points));
     data->SetPolys(cellsOf(part.faces));
-    const ByteColor bytes = colorOf(part.plane);
-    const auto actor =
-        actorOf(data, {bytes[0] / 255.0, bytes[1] / 255.0, bytes[2] / 255.0}, false);
+    const auto actor = actorOf(data, paleColorOf(part.plane), false);
     actor->GetProperty()->SetInterpolationToFlat();
-    actor->GetProperty()->SetAmbient(0.35);
-    actor->GetProperty()->SetDiffuse(0.75);
+    actor->GetProperty()->SetAmbient(0.5);
+    actor->GetProperty()->SetDiffuse(0.6);
     actor->GetProperty()->SetOpacity(opacity);
     actor->GetProperty()->SetBackfaceCulling(hide_backs);
     // a translucent plane coincides with its textured face

@@ -22,6 +22,19 @@ actorsOfPlanes(const std::vector<MapFaces>& faces, bool hide_backs, double opaci
 vtkSmartPointer<vtkActor>
 actorOfOutlines(const std::vector<MapLine>& lines);
 
+/** \brief The lines of one surface, which can be hidden while it looks away. */
+struct SurfaceOutline {
+  vtkSmartPointer<vtkActor> lines;
+  Eigen::Vector4d plane; ///< of a cylinder: in the middle of its arc
+
+  /** \brief Does the surface look away from an eye? */
+  bool
+  looksAway(const Eigen::Vector3d& eye) const
+  {
+    return plane.dot(eye.homogeneous()) < 0;
+  }
+};
+
 /** \brief Lines in one colour. */
 vtkSmartPointer<vtkActor>
 actorOfLines(const std::vector<MapLine>& lines, const Color& color, double pixels);

@@ -74,7 +74,10 @@ longestSight(const Trajectory& trajectory,
 
 constexpr double outside_yaw = 25 * degree;
 constexpr double outside_pitch = 45 * degree;
-constexpr double outside_margin = 0.08;
+constexpr double turned_share = 0.1;
+constexpr double one_sided_share = 0.4; // of the area faces one side, as in one view
+constexpr double front_yaw = 20 * degree;
+constexpr double front_pitch = 35 * degree;
 constexpr double inside_angle = 70;         // degrees
 constexpr double inside_pitch = 6 * degree; // slightly downwards
 constexpr double plan_margin = 1.15;        // leaves room for the scale bar
@@ -98,6 +101,7 @@ planCamera(const Points& samples, const MapFrame& frame, const MapView& view)
 {
   const RobustBox box(samples);
   Camera camera{};
+  camera.vertical = frame.up;
   camera.up = frame.up.cross(frame.along);
   const auto [left, right] = endsAlong(samples, box, frame.along);
   const auto [bottom, top] = endsAlong(samples, box, camera.up);
@@ -135,18 +139,41 @@ insideCamera(const CompactMap& map,
   return camera;
 }
 
-Camera
-outsideCamera(const Points& samples, const MapFrame& frame, const MapView& view)
+/** \brief Sum of the normals of faces, times their areas, and that of the areas. */
+std::pair<Vector3d, double>
+facingOf(const std::vector<MapFaces>& faces)
 {
-  const Vector3d across = frame.up.cross(frame.along);
-  Camera camera = lookAlong(
-      samples, turned(across, frame.up, outside_yaw, outside_pitch), frame.up, view);
-  if (!view.from) {
-    // the fit may cut off a few points as noise, but here these are corners of rooms
-    camera.position += outside_margin * (camera.position - camera.focus);
-    setDepths(camera, samples, RobustBox(samples));
-  }
-  return camera;
+  Vector3d facing = Vector3d::Zero();
+  double area = 0;
+  for (const MapFaces& part : faces)
+    for (const auto& face : part.faces)
+      for (std::size_t i = 2; i < face.size(); ++i) {
+        const Vector3d a = part.points[face[0]].cast<double>();
+        const Vector3d normal = (part.points[face[i - 1]].cast<double>() - a)
+                                    .cross(part.points[face[i]].cast<double>() - a) /
+                                2;
+        facing += normal;
+        area += normal.norm();
+      }
+  return {facing, area};
+}
+
+Camera
+outsideCamera(const std::vector<MapFaces>& faces,
+              const Points& samples,
+              const MapFrame& frame,
+              const MapView& view)
+{
+  Vector3d across = frame.up.cross(frame.along);
+  const auto [facing, area] = facingOf(faces);
+  if (facing.dot(across) > turned_share * area)
+    across = -across; // most of the walls would look away
+  const Vector3d level = facing - facing.dot(frame.up) * frame.up;
+  const bool is_one_sided = level.norm() > one_sided_share * area;
+  const Vector3d ahead =
+      is_one_sided ? turned(-level.normalized(), frame.up, front_yaw, front_pitch)
+                   : turned(across, frame.up, outside_yaw, outside_pitch);
+  return lookAlong(samples, ahead, frame.up, view);
 }
 
 } // namespace
@@ -167,7 +194,7 @@ placeMapCamera(const CompactMap& map,
   case MapView::Place::Outside:
     break;
   }
-  return outsideCamera(samples, frame, view);
+  return outsideCamera(faces, samples, frame, view);
 }
 
 } // namespace pcl::acmap

@@ -1,22 +1,30 @@
 #include "map_drawing.h"
 
 #include "plan_lines.h"
-#include "vtk_pieces.h"
+#include "scale_bar.h"
 
-#include <vtkActor2D.h>
-#include <vtkNew.h>
-#include <vtkPolyDataMapper2D.h>
-#include <vtkProperty2D.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
+#include <pcl/core/cylinder_facets.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 
 namespace pcl::acmap {
 
-MapDrawing::MapDrawing(const CompactMap& map, const MapView& view)
+namespace {
+
+/** \brief The plane of the facet in the middle of a cylinder's arc. */
+Eigen::Vector4d
+middleOf(const CylinderPatch& cylinder)
+{
+  const std::vector<PlanePatch> facets = facetsOfCylinder(cylinder);
+  return facets.empty() ? Eigen::Vector4d(Eigen::Vector4d::Zero())
+                        : facets[facets.size() / 2].coefficients;
+}
+
+} // namespace
+
+MapDrawing::MapDrawing(const CompactMap& map,
+                       const MapView& view,
+                       const std::vector<Eigen::Vector3f>& others)
 : map_(map)
 , view_(view)
 , hides_backs_(view.hide_backs || view.place != MapView::Place::Inside)
@@ -25,7 +33,11 @@ MapDrawing::MapDrawing(const CompactMap& map, const MapView& view)
   faces_ = facesOf(map);
   samples_ = samplesOf(faces_);
   frame_ = frameOf(map, samples_, view);
-  camera_ = placeMapCamera(map, faces_, samples_, frame_, view);
+  std::vector<Eigen::Vector3f> shown = samples_;
+  const MapLine way = lineOf(map.trajectory);
+  shown.insert(shown.end(), way.points.begin(), way.points.end());
+  shown.insert(shown.end(), others.begin(), others.end());
+  camera_ = placeMapCamera(map, faces_, shown, frame_, view);
 }
 
 std::vector<MapFaces>
@@ -46,17 +58,41 @@ MapDrawing::planes(double opacity) const
   return actorsOfPlanes(drawnFaces(), hides_backs_, opacity);
 }
 
+std::vector<MapLine>
+MapDrawing::linesOf(std::size_t surface) const
+{
+  if (!isDrawn(surface))
+    return {};
+  const std::size_t planes = map_.planes.size();
+  return surface < planes ? outlinesOf(map_, surface) : rimOf(map_, surface - planes);
+}
+
+std::vector<MapLine>
+MapDrawing::outlineLines() const
+{
+  std::vector<MapLine> lines;
+  for (std::size_t i = 0; i < map_.planes.size() + map_.cylinders.size(); ++i)
+    append(lines, linesOf(i));
+  return lines;
+}
+
 Actors
 MapDrawing::outlines() const
 {
-  std::vector<MapLine> lines;
-  for (std::size_t plane = 0; plane < map_.planes.size(); ++plane)
-    if (isDrawn(plane))
-      append(lines, outlinesOf(map_, plane));
-  for (std::size_t i = 0; i < map_.cylinders.size(); ++i)
-    if (isDrawn(map_.planes.size() + i))
-      append(lines, rimOf(map_, i));
-  return {actorOfOutlines(lines)};
+  return {actorOfOutlines(outlineLines())};
+}
+
+std::vector<SurfaceOutline>
+MapDrawing::outlinesApart() const
+{
+  std::vector<SurfaceOutline> apart;
+  for (std::size_t i = 0; i < map_.planes.size() + map_.cylinders.size(); ++i)
+    if (const auto lines = linesOf(i); !lines.empty())
+      apart.push_back({actorOfOutlines(lines),
+                       i < map_.planes.size()
+                           ? map_.planes[i].coefficients
+                           : middleOf(map_.cylinders[i - map_.planes.size()])});
+  return apart;
 }
 
 void
@@ -88,64 +124,6 @@ MapDrawing::drawn(std::vector<MapFaces> faces) const
                      [&](const MapFaces& part) { return !isDrawn(part.plane); }),
       faces.end());
   return faces;
-}
-
-double
-roundLength(double maximum)
-{
-  const double power = std::pow(10, std::floor(std::log10(maximum)));
-  for (const double digit : {5.0, 2.0})
-    if (digit * power <= maximum)
-      return digit * power;
-  return power;
-}
-
-std::string
-lengthText(double metres)
-{
-  char text[32];
-  if (metres >= 1000)
-    std::snprintf(text, sizeof text, "%.6g km", metres / 1000);
-  else if (metres >= 1)
-    std::snprintf(text, sizeof text, "%.6g m", metres);
-  else if (metres >= 0.01)
-    std::snprintf(text, sizeof text, "%.6g cm", metres * 100);
-  else
-    std::snprintf(text, sizeof text, "%.6g mm", metres * 1000);
-  return text;
-}
-
-void
-addScaleBar(const Camera& camera, const SceneView& view, vtkRenderer* renderer)
-{
-  constexpr double max_share = 0.25;                          // of the picture width
-  const double pixels = view.height / camera.parallel_height; // per metre
-  const double length = roundLength(view.width * max_share / pixels);
-  const auto unit = static_cast<float>(std::max(4.0, view.height / 120.0));
-  const float left = 3 * unit, bottom = 2.5F * unit;
-  const auto right = left + static_cast<float>(length * pixels);
-
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(pointsOf({{left, bottom + unit, 0},
-                            {left, bottom, 0},
-                            {right, bottom, 0},
-                            {right, bottom + unit, 0}}));
-  data->SetLines(cellsOf(std::vector<std::array<std::int32_t, 4>>{{0, 1, 2, 3}}));
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(data);
-  vtkNew<vtkActor2D> bar;
-  bar->SetMapper(mapper);
-  bar->GetProperty()->SetColor(0.1, 0.1, 0.1);
-  bar->GetProperty()->SetLineWidth(unit / 3);
-  renderer->AddActor2D(bar);
-
-  vtkNew<vtkTextActor> text;
-  text->SetInput(lengthText(length).c_str());
-  text->GetTextProperty()->SetColor(0.1, 0.1, 0.1);
-  text->GetTextProperty()->SetFontSize(static_cast<int>(3 * unit));
-  text->GetTextProperty()->SetJustificationToCentered();
-  text->SetPosition((left + right) / 2, bottom + 0.6F * unit);
-  renderer->AddActor2D(text);
 }
 
 } // namespace pcl::acmap

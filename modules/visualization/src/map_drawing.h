@@ -16,9 +16,12 @@ namespace pcl::acmap {
 class MapDrawing {
 public:
   /** \param[in] map must outlive this object
+   * \param[in] others points that the first camera has to see, too
    * \throws BadArgumentException for an invalid view
    * \throws InitFailedException when the map has no face */
-  MapDrawing(const CompactMap& map, const MapView& view);
+  MapDrawing(const CompactMap& map,
+             const MapView& view,
+             const std::vector<Eigen::Vector3f>& others = {});
 
   const Camera&
   camera() const
@@ -53,12 +56,24 @@ public:
   Actors
   outlines() const;
 
+  /** \brief Outlines of all drawn planes and cylinders. */
+  std::vector<MapLine>
+  outlineLines() const;
+
+  /** \brief The outline of each drawn plane and cylinder, apart. */
+  std::vector<SurfaceOutline>
+  outlinesApart() const;
+
   /** \brief Adds walls, trajectory and scale bar to a plan; does nothing for other
    * views. */
   void
   addPlanTo(vtkRenderer* renderer) const;
 
 private:
+  /** \param[in] surface as the plane in MapFaces */
+  std::vector<MapLine>
+  linesOf(std::size_t surface) const;
+
   /** \param[in] plane as in MapFaces */
   bool
   isDrawn(std::size_t plane) const;
@@ -74,18 +89,5 @@ private:
   MapFrame frame_;
   Camera camera_;
 };
-
-/** \brief The largest of 1, 2, 5 times a power of ten that does not exceed a length. */
-double
-roundLength(double maximum);
-
-/** \brief A length as text: "5 m", "20 cm", "2 km". */
-std::string
-lengthText(double metres);
-
-/** \brief Adds a scale bar of a round length with its text at the lower left.
- * \param[in] camera an orthographic one */
-void
-addScaleBar(const Camera& camera, const SceneView& view, vtkRenderer* renderer);
 
 } // namespace pcl::acmap

@@ -28,7 +28,7 @@ saveMapSnapshot(const std::string& path, const CompactMap& map, const MapView& v
 {
   const acmap::DisplayConnection display;
   const acmap::MapDrawing drawing(map, view);
-  const auto renderer = acmap::makeStage(drawing.camera(), true);
+  const auto renderer = acmap::makeStage(drawing.camera());
   for (const auto& actor : actorsOf(drawing, view.paint))
     renderer->AddActor(actor);
   drawing.addPlanTo(renderer);

@@ -1,27 +1,27 @@
-#include <pcl/visualization/display_connection.h>
+#include <pcl/visualization/layered_scene.h>
 #include <pcl/visualization/mesh_snapshot.h>
 
-#include "camera.h"
-#include "picture.h"
 #include "scene.h"
-#include "scene_renderer.h"
-
-#include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkNew.h>
-#include <vtkRenderWindowInteractor.h>
 
 namespace pcl {
 namespace {
 
-vtkSmartPointer<vtkRenderer>
-rendererOf(const PCLPointCloud2& cloud, const TriangleMesh& mesh, const SceneView& view)
+/** \brief A mesh, or a cloud if it has no triangles, as the only layer of a scene. */
+LayeredScene
+sceneOf(const PCLPointCloud2& cloud, const TriangleMesh& mesh)
 {
-  acmap::Scene scene = acmap::makeScene(cloud, mesh);
-  if (view.ignore_colors)
-    scene.colors.clear();
-  const acmap::Camera camera =
-      acmap::placeCamera(scene.points, acmap::meanNormal(scene), view);
-  return acmap::makeRenderer(scene, camera, view);
+  LayeredScene scene;
+  (mesh.triangles.empty() ? scene.points : scene.vertices) = cloud;
+  scene.mesh = mesh;
+  return scene;
+}
+
+LayeredView
+viewOf(const SceneView& view)
+{
+  LayeredView layered;
+  static_cast<SceneView&>(layered) = view;
+  return layered;
 }
 
 } // namespace
@@ -32,8 +32,7 @@ saveSnapshot(const std::string& path,
              const TriangleMesh& mesh,
              const SceneView& view)
 {
-  const acmap::DisplayConnection display;
-  acmap::savePicture(path, rendererOf(cloud, mesh, view), view);
+  saveSnapshot(path, sceneOf(cloud, mesh), viewOf(view));
 }
 
 void
@@ -48,15 +47,7 @@ showScene(const std::string& title,
           const TriangleMesh& mesh,
           const SceneView& view)
 {
-  const acmap::DisplayConnection display;
-  const auto window = acmap::makeWindow(rendererOf(cloud, mesh, view), view);
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  vtkNew<vtkInteractorStyleTrackballCamera> style;
-  interactor->SetRenderWindow(window);
-  interactor->SetInteractorStyle(style);
-  window->Render();
-  window->SetWindowName(title.c_str());
-  interactor->Start();
+  showScene(title, sceneOf(cloud, mesh), viewOf(view));
 }
 
 void

@@ -3,14 +3,21 @@
 #include <pcl/core/output_file.h>
 
 #include <vtkCamera.h>
+#include <vtkEDLShading.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPNGWriter.h>
+#include <vtkProp.h>
+#include <vtkRenderState.h>
+#include <vtkRenderStepsPass.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -52,6 +59,59 @@ addLights(vtkRenderer* renderer)
   }
 }
 
+/** \brief Something that is not drawn, whose bounds are many times those of the scene. */
+class Ballast : public vtkProp {
+public:
+  static Ballast*
+  New();
+  vtkTypeMacro(Ballast, vtkProp);
+
+  double*
+  GetBounds() override
+  {
+    return bounds;
+  }
+
+  double bounds[6];
+};
+
+vtkStandardNewMacro(Ballast);
+
+/** \brief VTK's shading divides depths by the size of the scene: as it has it, noise of a
+ * percent of that is black. */
+class SoftShading : public vtkEDLShading {
+public:
+  static SoftShading*
+  New();
+  vtkTypeMacro(SoftShading, vtkEDLShading);
+
+  void
+  Render(const vtkRenderState* state) override
+  {
+    constexpr double times = 30; // the size of the scene
+    vtkRenderer* const renderer = state->GetRenderer();
+    renderer->ComputeVisiblePropBounds(ballast_->bounds);
+    for (int i = 0; i < 6; i += 2) {
+      const double more =
+          (times - 1) / 2 * (ballast_->bounds[i + 1] - ballast_->bounds[i]);
+      ballast_->bounds[i] -= more;
+      ballast_->bounds[i + 1] += more;
+    }
+    std::vector<vtkProp*> props(state->GetPropArray(),
+                                state->GetPropArray() + state->GetPropArrayCount());
+    props.push_back(ballast_);
+    vtkRenderState heavier(renderer);
+    heavier.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+    heavier.SetFrameBuffer(state->GetFrameBuffer());
+    Superclass::Render(&heavier);
+  }
+
+private:
+  vtkNew<Ballast> ballast_;
+};
+
+vtkStandardNewMacro(SoftShading);
+
 } // namespace
 
 vtkSmartPointer<vtkRenderWindow>
@@ -80,17 +140,20 @@ savePicture(const std::string& path, vtkRenderer* renderer, const SceneView& vie
 }
 
 void
-setBackground(bool light, vtkRenderer* renderer)
+shadeDepths(bool on, vtkRenderer* renderer)
 {
-  if (light) {
-    renderer->SetBackground(0.97, 0.97, 0.96);
-    renderer->SetBackground2(0.80, 0.84, 0.89);
+  if (on == (renderer->GetPass() != nullptr))
+    return;
+  if (!on) {
+    if (renderer->GetRenderWindow())
+      renderer->GetPass()->ReleaseGraphicsResources(renderer->GetRenderWindow());
+    renderer->SetPass(nullptr);
+    return;
   }
-  else {
-    renderer->SetBackground(0.10, 0.11, 0.13);
-    renderer->SetBackground2(0.20, 0.23, 0.27);
-  }
-  renderer->GradientBackgroundOn();
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<SoftShading> shading;
+  shading->SetDelegatePass(steps);
+  renderer->SetPass(shading);
 }
 
 void
@@ -107,10 +170,11 @@ setCamera(const Camera& camera, vtkRenderer* renderer)
 }
 
 vtkSmartPointer<vtkRenderer>
-makeStage(const Camera& camera, bool light)
+makeStage(const Camera& camera)
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  setBackground(light, renderer);
+  renderer->SetBackground(background.data());
+  renderer->SetBackgroundAlpha(1); // else the last picture shows through shaded depths
   addLights(renderer);
   setCamera(camera, renderer);
   return renderer;

@@ -8,18 +8,22 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <string>
 
 namespace pcl::acmap {
 
-/** \brief An empty scene with lights and a camera.
- * \param[in] light bright background, for surfaces; points need a dark one */
-vtkSmartPointer<vtkRenderer>
-makeStage(const Camera& camera, bool light);
+/** Colour behind a scene: that of the page. */
+constexpr std::array<double, 3> background = {0.914, 0.933, 0.953};
 
-/** \brief Sets a bright background for surfaces or a dark one for points. */
+/** \brief An empty scene with lights and a camera. */
+vtkSmartPointer<vtkRenderer>
+makeStage(const Camera& camera);
+
+/** \brief Darkens what lies behind its neighbours in the picture, which gives points,
+ * that have no lighting, a shape. */
 void
-setBackground(bool light, vtkRenderer* renderer);
+shadeDepths(bool on, vtkRenderer* renderer);
 
 /** \brief Sets the camera of a renderer. */
 void

@@ -3,6 +3,7 @@
 #include "map_faces.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/surface_sentence.h>
 
 #include <array>
 #include <cmath>
@@ -49,34 +50,38 @@ deviations(const Eigen::Matrix3d& covariance)
 } // namespace
 
 std::string
-planeCard(const PlanePatch& plane, std::size_t number)
+planeCard(const CompactMap& map, std::size_t number)
 {
+  const std::string sentence = describePlane(map, number);
+  const PlanePatch& plane = map.planes[number];
   const Eigen::Vector4d& c = plane.coefficients;
   std::string support = format("%zu points", plane.support);
   if (plane.effective_support > 0 && std::isfinite(plane.effective_support))
     support += format(", %.4g of them independent", plane.effective_support);
-  return format("plane %zu\n", number) +
+  return sentence + format("\nplane %zu\n", number) +
          format(
              "equation   %.5f x %+.5f y %+.5f z %+.4f = 0\n", c[0], c[1], c[2], c[3]) +
          "deviation  " + deviations(plane.covariance) + "\nsupport    " + support +
-         "\narea       " + known("%.4g m2", plane.area) + "\nrmse       " +
-         known("%.3g mm", plane.rms * 1000) + "\n";
+         "\n";
 }
 
 std::string
-cylinderCard(const CylinderPatch& cylinder, std::size_t number)
+cylinderCard(const CompactMap& map, std::size_t number)
 {
   constexpr double degrees = 180 / M_PI;
-  return format("cylinder %zu, %s\n", number, cylinder.is_hollow ? "hollow" : "solid") +
+  const std::string sentence = describeCylinder(map, number);
+  const CylinderPatch& cylinder = map.cylinders[number];
+  return sentence +
+         format(
+             "\ncylinder %zu, %s\n", number, cylinder.is_hollow ? "hollow" : "solid") +
          format("radius     %.4f m, deviation ", cylinder.radius) +
          known("%.3g mm", 1000 * std::sqrt(cylinder.covariance(4, 4))) +
          format("\nextent     %.3f m, %.0f deg of arc\n",
                 cylinder.high - cylinder.low,
                 degrees * cylinder.arc) +
          format("support    %zu points\n", cylinder.support) +
-         format("area       %.4g m2\n", cylinder.area) + "rmse       " +
-         known("%.3g mm", cylinder.rms * 1000) +
-         format("\nsaved      %.0f bits\n", cylinder.saved_bits);
+         format("area       %.4g m2\n", cylinder.area) +
+         format("saved      %.0f bits\n", cylinder.saved_bits);
 }
 
 std::string

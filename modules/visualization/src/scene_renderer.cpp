@@ -1,8 +1,9 @@
 #include "scene_renderer.h"
 
-#include "picture.h"
 #include "vtk_pieces.h"
 
+#include <vtkCamera.h>
+#include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
@@ -17,29 +18,8 @@ constexpr Color boundary_color = {0.85, 0.20, 0.10};
 constexpr Color edge_color = {0.33, 0.40, 0.52};
 constexpr Color normal_color = {0.10, 0.55, 0.25};
 constexpr Color point_color = {0.20, 0.40, 0.70};
-constexpr Color near_point_color = {1.00, 0.92, 0.75};
-constexpr Color far_point_color = {0.20, 0.33, 0.50};
-constexpr double point_pixels = 3.0;
 constexpr double boundary_pixels = 2.0;
 constexpr double normal_pixels = 1.5;
-
-/** \brief Colours that encode the depth of points, which have no lighting. */
-std::vector<ByteColor>
-depthColors(const Scene& scene, const Camera& camera)
-{
-  const Eigen::Vector3d ahead = (camera.focus - camera.position).normalized();
-  std::vector<ByteColor> colors;
-  for (const Eigen::Vector3f& point : scene.points) {
-    const double depth = (point.cast<double>() - camera.position).dot(ahead);
-    const double t =
-        std::clamp((depth - camera.near) / (camera.far - camera.near), 0.0, 1.0);
-    auto& color = colors.emplace_back();
-    for (std::size_t c = 0; c < 3; ++c)
-      color[c] = static_cast<std::uint8_t>(
-          255 * (near_point_color[c] * (1 - t) + far_point_color[c] * t));
-  }
-  return colors;
-}
 
 vtkSmartPointer<vtkPolyData>
 dataOf(const Scene& scene, const std::vector<ByteColor>& colors)
@@ -51,37 +31,17 @@ dataOf(const Scene& scene, const std::vector<ByteColor>& colors)
   return data;
 }
 
-void
-showEdges(vtkActor& mesh)
-{
-  mesh.GetProperty()->EdgeVisibilityOn();
-  mesh.GetProperty()->SetEdgeColor(edge_color.data());
-}
-
-vtkSmartPointer<vtkActor>
-coloredPoints(const Scene& scene, const std::vector<ByteColor>& colors)
-{
-  const auto data = dataOf(scene, colors);
-  data->SetVerts(singlePoints(scene.points.size()));
-  auto actor = actorOf(data, point_color, !colors.empty());
-  actor->GetProperty()->SetPointSize(point_pixels);
-  actor->GetProperty()->LightingOff();
-  return actor;
-}
-
 } // namespace
 
 vtkSmartPointer<vtkActor>
-actorOfPoints(const Scene& scene)
+actorOfPoints(const Scene& scene, double pixels)
 {
-  return coloredPoints(scene, scene.colors);
-}
-
-vtkSmartPointer<vtkActor>
-actorOfPoints(const Scene& scene, const Camera& camera)
-{
-  return coloredPoints(
-      scene, scene.colors.empty() ? depthColors(scene, camera) : scene.colors);
+  const auto data = dataOf(scene, scene.colors);
+  data->SetVerts(singlePoints(scene.points.size()));
+  auto actor = actorOf(data, point_color, !scene.colors.empty());
+  actor->GetProperty()->SetPointSize(static_cast<float>(pixels));
+  actor->GetProperty()->LightingOff();
+  return actor;
 }
 
 Actors
@@ -94,6 +54,8 @@ actorsOfMesh(const Scene& scene, bool hide_backs)
   const auto back = actorOf(data, back_color, false);
   back->GetProperty()->FrontfaceCullingOn();
   for (const auto& side : {front, back}) {
+    // pushed back behind what coincides with it, see pushBack
+    side->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
     side->GetProperty()->SetInterpolationToFlat();
     side->GetProperty()->SetAmbient(scene.colors.empty() ? 0.12 : 0.35);
     side->GetProperty()->SetDiffuse(0.9);
@@ -102,6 +64,31 @@ actorsOfMesh(const Scene& scene, bool hide_backs)
   if (!hide_backs)
     actors.push_back(back);
   return actors;
+}
+
+void
+pushBack(const Actors& actors, double metres, vtkCamera& camera)
+{
+  constexpr double unit = 1.6e-5; // of the depth, as VTK's shader has it
+  double range[2];
+  camera.GetClippingRange(range);
+  const double distance = std::max(camera.GetDistance(), range[0]);
+  const double slope =
+      camera.GetParallelProjection()
+          ? 1 / (range[1] - range[0])
+          : range[1] * range[0] / (range[1] - range[0]) / (distance * distance);
+  for (const auto& actor : actors)
+    actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(
+        0, metres * slope / unit);
+}
+
+void
+showEdges(const Actors& mesh)
+{
+  for (const auto& side : mesh) {
+    side->GetProperty()->EdgeVisibilityOn();
+    side->GetProperty()->SetEdgeColor(edge_color.data());
+  }
 }
 
 vtkSmartPointer<vtkActor>
@@ -127,24 +114,6 @@ actorOfNormals(const Scene& scene)
   data->SetPoints(pointsOf(ends));
   data->SetLines(cellsOf(pairs));
   return linesOf(data, normal_color, false, normal_pixels);
-}
-
-vtkSmartPointer<vtkRenderer>
-makeRenderer(const Scene& scene, const Camera& camera, const SceneView& view)
-{
-  auto renderer = makeStage(camera, scene.isMesh());
-  if (!scene.isMesh()) {
-    renderer->AddActor(actorOfPoints(scene, camera));
-    return renderer;
-  }
-  for (const auto& actor : actorsOfMesh(scene, view.hide_backs)) {
-    if (view.show_edges)
-      showEdges(*actor);
-    renderer->AddActor(actor);
-  }
-  if (view.show_boundary)
-    renderer->AddActor(actorOfBoundary(scene));
-  return renderer;
 }
 
 vtkSmartPointer<vtkAssembly>

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -93,16 +94,45 @@ saveSnapshot(const std::string& path,
              const LayeredScene& scene,
              const LayeredView& view = {});
 
-/** \brief Shows layers in an interactive window until it is closed.
+/** \brief An interactive window for layers.
  *
- * Keys: 1 to 7 toggle the layers, b toggles between before and after rectification, t
- * shows planes with or without texture, n and N go to the next and previous step of
- * the walls, space starts or stops a flight along the trajectory, p (or a click with
- * shift) shows the card of the plane under the mouse, h shows the help, r resets the
- * camera, q quits.
- * \param[in] tell receives help, cards and failures of keys, one text per call
- * \throws InitFailedException, BadArgumentException as \ref saveSnapshot
+ * It opens with a text that the scene is being read, so that the user sees it while the
+ * program reads.
+ *
+ * Keys: 1 to 7 (or a click on its name) toggle the layers, b slides between before and
+ * after rectification, t shows planes with or without texture, n and N go to the next
+ * and previous step of the walls, space starts or stops a flight along the trajectory, p
+ * (or a click with shift) shows the card of the plane under the mouse, m measures, h
+ * shows the help, r resets the camera, q quits. The left button turns the scene about
+ * the vertical.
+ * \code
+ * pcl::SceneWindow window ("kitchen");
+ * window.show (readScene ());
+ * \endcode
  * \ingroup visualization */
+class ACMAP_EXPORT SceneWindow {
+public:
+  /** \param[in] name of what is shown; the title begins with it
+   * \param[in] width, height pixels
+   * \throws InitFailedException without an X server */
+  explicit SceneWindow(const std::string& name, int width = 1280, int height = 960);
+
+  ~SceneWindow();
+
+  /** \brief Shows layers until the window is closed.
+   * \param[in] tell receives help, cards and failures of keys, one text per call
+   * \throws InitFailedException, BadArgumentException as \ref saveSnapshot */
+  void
+  show(const LayeredScene& scene,
+       const LayeredView& view = {},
+       const std::function<void(const std::string&)>& tell = {});
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/** \brief Shows layers in a \ref SceneWindow until it is closed. \ingroup visualization */
 ACMAP_EXPORT void
 showScene(const std::string& title,
           const LayeredScene& scene,

@@ -8,18 +8,21 @@
 
 namespace pcl {
 
-/** \brief Describes a plane, one property per line: number, equation, standard
- * deviations of slopes and offset, support, area, rmse. Unknown properties are marked
- * as such.
- * \param[in] number of the plane in its map \ingroup visualization */
+/** \brief Describes a plane: the sentence of \ref describePlane, and on a line each its
+ * number, equation, standard deviations of slopes and offset, and support. Unknown
+ * properties are marked as such.
+ * \param[in] number of the plane
+ * \throws BadArgumentException when the map has no such plane \ingroup visualization */
 ACMAP_EXPORT std::string
-planeCard(const PlanePatch& plane, std::size_t number);
+planeCard(const CompactMap& map, std::size_t number);
 
-/** \brief The same for a cylinder: number, radius, extent, arc, side, support, area, rmse,
- * bits.
- * \param[in] number of the cylinder in its map \ingroup visualization */
+/** \brief The same for a cylinder: \ref describeCylinder, number, side, radius, extent,
+ * arc, support, area, bits.
+ * \param[in] number of the cylinder
+ * \throws BadArgumentException when the map has no such cylinder
+ * \ingroup visualization */
 ACMAP_EXPORT std::string
-cylinderCard(const CylinderPatch& cylinder, std::size_t number);
+cylinderCard(const CompactMap& map, std::size_t number);
 
 /** \brief The same for a box: number, template, size, what is known of its sides, bits.
  * \param[in] number of the box in its map \ingroup visualization */
