@@ -7,7 +7,10 @@
 #include <pcl/texture/floor_plan.h>
 #include <pcl/visualization/live_viewer.h>
 
+#include <array>
+#include <cmath>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace pcl::acmap {
@@ -33,29 +36,66 @@ public:
       floor_plan_ = makeFloorPlan(*state.provisional);
     provisional_ = state.provisional;
     showPlan(linesOf(state));
+    setStatus(statusOf(state));
   }
 
 private:
-  /** \brief The floor, the walls, and the way of the camera. */
+  /** \brief "12 observations, 31 m², move slower". */
+  std::string
+  statusOf(const MappingState& state) const
+  {
+    constexpr double most_lag = 3; // seconds
+    double area = 0;
+    for (const PlanRoom& room : floor_plan_.rooms)
+      area += room.seen_area;
+    std::string text = std::to_string(state.processed) + " observation" +
+                       (state.processed == 1 ? "" : "s");
+    if (area > 0)
+      text += ", " + std::to_string(std::lround(area)) + " m\u00b2";
+    if (!state.poses.empty() && !state.poses.back())
+      return text + ", lost: go back to what was seen before";
+    return text + (state.is_late || state.lag > most_lag ? ", move slower" : "");
+  }
+
+  Eigen::Vector2d
+  placeOf(const Eigen::Vector3d& point) const
+  {
+    return {point.dot(floor_plan_.x_axis), point.dot(floor_plan_.y_axis)};
+  }
+
+  /** \brief Rooms, walls, the way of the camera, and what it looks at now. */
   std::vector<PlanLine>
   linesOf(const MappingState& state) const
   {
+    using Color = std::array<std::uint8_t, 3>;
+    constexpr std::array<Color, 4> room_colors = {
+        {{214, 228, 245}, {224, 240, 220}, {248, 232, 208}, {240, 220, 236}}};
+    constexpr Color wall = {29, 39, 51}, accent = {20, 99, 194};
     std::vector<PlanLine> lines;
-    for (const auto& polygon : floor_plan_.floors)
-      for (const std::vector<Eigen::Vector2d>& loop : polygon) {
-        lines.push_back({loop, {70, 74, 84}});
-        lines.back().points.insert(
-            lines.back().points.end(), loop.begin(), loop.begin() + !loop.empty());
-      }
-    for (const PlanWall& wall : floor_plan_.walls)
-      lines.push_back({{wall.from, wall.to}, {235, 235, 235}});
-    PlanLine way{{}, {90, 160, 255}};
+    for (std::size_t i = 0; i < floor_plan_.rooms.size(); ++i)
+      lines.push_back(
+          {floor_plan_.rooms[i].outline, room_colors[i % room_colors.size()], true});
+    for (const PlanWall& seen : floor_plan_.walls)
+      lines.push_back({{seen.from, seen.to}, wall});
+    PlanLine way{{}, accent};
     for (const auto& pose : state.poses)
       if (pose)
-        way.points.emplace_back(pose->translation().dot(floor_plan_.x_axis),
-                                pose->translation().dot(floor_plan_.y_axis));
+        way.points.push_back(placeOf(pose->translation()));
     lines.push_back(std::move(way));
+    if (!state.poses.empty() && state.poses.back())
+      lines.push_back(sightOf(*state.poses.back()));
     return lines;
+  }
+
+  /** \brief The frustum of a camera from above. */
+  PlanLine
+  sightOf(const Eigen::Isometry3d& pose) const
+  {
+    constexpr double length = 1.2, half_width = 0.6; // metres
+    const Eigen::Vector2d eye = placeOf(pose.translation());
+    const Eigen::Vector2d ahead = length * placeOf(pose.linear().col(2));
+    const Eigen::Vector2d right = half_width * placeOf(pose.linear().col(0));
+    return {{eye, eye + ahead + right, eye + ahead - right}, {255, 176, 72}, true};
   }
 
   FloorPlan floor_plan_;

@@ -120,9 +120,12 @@ obliqueDirection(const SceneView& view,
     const Vector3d straight = focus - view.sensor_origin->cast<double>();
     return turned(straight.normalized(), up, sensor_yaw, sensor_pitch);
   }
+  constexpr double one_sided = 0.6, turned_away = 0.1; // share of the area
   const Vector3d level = -(facing - facing.dot(up) * up);
-  return turned(level.norm() > 0.1 ? Vector3d(level.normalized())
-                                   : acrossOf(points, box, up),
+  if (level.norm() > one_sided)
+    return turned(level.normalized(), up, sensor_yaw, sensor_pitch);
+  return turned(level.norm() > turned_away ? Vector3d(level.normalized())
+                                           : acrossOf(points, box, up),
                 up,
                 object_yaw,
                 object_pitch);

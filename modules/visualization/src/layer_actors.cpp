@@ -95,7 +95,7 @@ pointSize(const std::vector<Eigen::Vector3f>& points,
           const SceneView& view)
 {
   constexpr float least = 3, most = 8;
-  constexpr double closed = 0.85; // of the squares twice as large
+  constexpr double closed = 0.88; // of the squares twice as large
   const Eigen::Vector3d ahead = (camera.focus - camera.position).normalized();
   const Eigen::Vector3d right = ahead.cross(camera.up);
   const double slope = std::tan(camera.view_angle / 2 * degree);

@@ -85,13 +85,14 @@ describeScene(const LayeredScene& scene)
   std::string text;
   const auto add = [&](std::size_t count, const char* what) {
     if (count > 0)
-      text += (text.empty() ? "" : ", ") + grouped(count) + " " + what;
+      text += (text.empty() ? "" : ", ") + grouped(count) + " " + what +
+              (count > 1 ? "s" : "");
   };
-  add(countOf(scene, SceneLayer::Points), "points");
-  add(scene.mesh.triangles.size(), "triangles");
-  add(scene.map.planes.size(), "planes");
-  add(scene.map.cylinders.size(), "cylinders");
-  add(scene.map.trajectory.poses.size(), "poses");
+  add(countOf(scene, SceneLayer::Points), "point");
+  add(scene.mesh.triangles.size(), "triangle");
+  add(scene.map.planes.size(), "plane");
+  add(scene.map.cylinders.size(), "cylinder");
+  add(scene.map.trajectory.poses.size(), "pose");
   return text;
 }
 

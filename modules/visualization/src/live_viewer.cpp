@@ -1,3 +1,4 @@
+#include "picture.h"
 #include "vtk_pieces.h"
 
 #include <pcl/visualization/display_connection.h>
@@ -8,7 +9,7 @@
 #include <vtkImageActor.h>
 #include <vtkImageData.h>
 #include <vtkImageMapper3D.h>
-#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkInteractorStyleTerrain.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
@@ -16,9 +17,15 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <deque>
 
 namespace pcl {
 
@@ -67,28 +74,83 @@ dataOf(const PointCloud<PointXYZRGBSigma>& cloud)
   return data;
 }
 
+/** \param[in] areas those of the plan, else its lines */
 vtkSmartPointer<vtkPolyData>
-dataOf(const std::vector<PlanLine>& lines)
+dataOf(const std::vector<PlanLine>& lines, bool areas)
 {
   std::vector<Eigen::Vector3f> places;
   std::vector<std::vector<std::int32_t>> cells;
   std::vector<acmap::ByteColor> colors;
   for (const PlanLine& line : lines) {
-    if (line.points.empty())
+    if (line.points.empty() || line.is_area != areas)
       continue;
+    const float height = areas ? 0.F : 0.01F;
     cells.emplace_back();
     for (const Eigen::Vector2d& point : line.points) {
       cells.back().push_back(static_cast<std::int32_t>(places.size()));
-      places.emplace_back(point.cast<float>().x(), point.cast<float>().y(), 0.F);
+      places.emplace_back(point.cast<float>().x(), point.cast<float>().y(), height);
     }
     colors.push_back(line.color);
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(acmap::pointsOf(places));
-  data->SetLines(acmap::cellsOf(cells));
+  if (areas)
+    data->SetPolys(acmap::cellsOf(cells));
+  else
+    data->SetLines(acmap::cellsOf(cells));
   data->GetCellData()->SetScalars(acmap::colorsOf(colors));
   return data;
 }
+
+/** \brief A text at the lower left of a part of the window. */
+vtkSmartPointer<vtkTextActor>
+makeLabel(vtkRenderer* renderer, int font_pixels)
+{
+  auto label = vtkSmartPointer<vtkTextActor>::New();
+  label->GetTextProperty()->SetFontSize(font_pixels);
+  label->GetTextProperty()->SetColor(0.114, 0.153, 0.200);
+  label->GetTextProperty()->SetBackgroundColor(1, 1, 1);
+  label->GetTextProperty()->SetBackgroundOpacity(0.8);
+  label->SetPosition(8, 8);
+  renderer->AddActor2D(label);
+  return label;
+}
+
+/** \brief Counts events of the last two seconds. */
+class Rate {
+public:
+  void
+  count()
+  {
+    const Clock::time_point now = Clock::now();
+    times_.push_back(now);
+    while (now - times_.front() > window_)
+      times_.pop_front();
+  }
+
+  /** \brief "12 frames/s"; empty as long as it is not known. */
+  std::string
+  describe() const
+  {
+    if (times_.size() < 2 || Clock::now() - times_.back() > window_)
+      return {};
+    const std::chrono::duration<double> seconds = times_.back() - times_.front();
+    std::array<char, 40> text;
+    std::snprintf(text.data(),
+                  text.size(),
+                  "%.3g frames/s",
+                  static_cast<double>(times_.size() - 1) /
+                      std::max(seconds.count(), 1e-3));
+    return text.data();
+  }
+
+private:
+  static constexpr std::chrono::seconds window_{2};
+  std::deque<Clock::time_point> times_;
+};
+
+constexpr std::array<const char*, 3> camera_names = {
+    "right camera", "left camera", "top camera"};
 
 } // namespace
 
@@ -105,9 +167,10 @@ struct LiveViewer::Parts {
       const double top = 1.0 - height * static_cast<double>(i);
       corners[i]->SetViewport(images_from, top - height, 1, top);
       corners[i]->InteractiveOff();
+      corners[i]->SetBackground(acmap::background.data());
       window->AddRenderer(corners[i]);
     }
-    vtkNew<vtkInteractorStyleTrackballCamera> style;
+    vtkNew<vtkInteractorStyleTerrain> style;
     interactor->SetInteractorStyle(style);
     interactor->SetRenderWindow(window);
     interactor->Initialize();
@@ -123,11 +186,17 @@ struct LiveViewer::Parts {
     constexpr double view_angle = 55.0;
     points_mapper->SetInputData(vtkNew<vtkPolyData>());
     points->SetMapper(points_mapper);
-    points->GetProperty()->SetPointSize(2);
+    points->GetProperty()->SetPointSize(3);
     points->GetProperty()->LightingOff();
     scene->AddActor(points);
     scene->SetViewport(0, 0, images_from, 1);
-    scene->SetBackground(0.10, 0.11, 0.13);
+    scene->SetBackground(acmap::background.data());
+    makeLabel(scene, label_pixels)->SetInput("newest view");
+    status = makeLabel(scene, status_pixels);
+    status->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+    status->GetTextProperty()->SetVerticalJustificationToTop();
+    status->SetPosition(0.015, 0.98);
+    status->SetInput("waiting for the first view");
     // behind the camera, in its direction of view: x right, y down
     scene->GetActiveCamera()->SetPosition(0, 0, -1);
     scene->GetActiveCamera()->SetFocalPoint(0, 0, ahead);
@@ -142,13 +211,17 @@ struct LiveViewer::Parts {
     constexpr double plan_height = 0.45; // of the window
     scene->SetViewport(0, plan_height, images_from, 1);
     plan_scene->SetViewport(0, 0, images_from, plan_height);
-    plan_scene->SetBackground(0.06, 0.07, 0.09);
+    plan_scene->SetBackground(0.97, 0.98, 0.99);
+    makeLabel(plan_scene, label_pixels)->SetInput("plan so far");
     plan_scene->GetActiveCamera()->ParallelProjectionOn();
     plan_scene->InteractiveOff();
     plan->SetMapper(plan_mapper);
-    plan->GetProperty()->SetLineWidth(2);
-    plan->GetProperty()->LightingOff();
-    plan_scene->AddActor(plan);
+    plan->GetProperty()->SetLineWidth(3);
+    areas->SetMapper(areas_mapper);
+    for (const auto& part : {areas.Get(), plan.Get()}) {
+      part->GetProperty()->LightingOff();
+      plan_scene->AddActor(part);
+    }
     window->AddRenderer(plan_scene);
     is_plan_shown = true;
   }
@@ -170,10 +243,15 @@ struct LiveViewer::Parts {
     if (!is_first)
       return;
     corners[i]->AddActor(images[i]);
+    labels[i] = makeLabel(corners[i], label_pixels);
+    labels[i]->SetInput(camera_names[i]);
     corners[i]->GetActiveCamera()->ParallelProjectionOn();
     corners[i]->ResetCamera();
     corners[i]->GetActiveCamera()->SetParallelScale(0.5 * image.height);
   }
+
+  static constexpr int label_pixels = 14;
+  static constexpr int status_pixels = 20;
 
   acmap::DisplayConnection connection; // needed as long as VTK draws
   std::mutex& drawing;
@@ -185,6 +263,11 @@ struct LiveViewer::Parts {
   vtkNew<vtkRenderer> plan_scene;
   vtkNew<vtkPolyDataMapper> plan_mapper;
   vtkNew<vtkActor> plan;
+  vtkNew<vtkPolyDataMapper> areas_mapper;
+  vtkNew<vtkActor> areas;
+  vtkSmartPointer<vtkTextActor> status;
+  std::array<vtkSmartPointer<vtkTextActor>, 3> labels;
+  Rate rate;
   bool is_plan_shown = false;
   std::array<vtkNew<vtkRenderer>, 3> corners;
   std::array<vtkNew<vtkImageActor>, 3> images;
@@ -201,6 +284,7 @@ LiveViewer::~LiveViewer() = default;
 void
 LiveViewer::show(const TrinocularFrame& frame)
 {
+  parts_->rate.count();
   // most frames of a stream are replaced before they could be seen
   if (Clock::now() - parts_->last < between_pictures)
     return;
@@ -208,6 +292,9 @@ LiveViewer::show(const TrinocularFrame& frame)
   for (std::size_t i = 0; i < frame.images.size(); ++i)
     if (!frame.images[i].empty())
       parts_->setImage(i, frame.images[i]);
+  if (const std::string rate = parts_->rate.describe();
+      !rate.empty() && parts_->labels[0])
+    parts_->labels[0]->SetInput((camera_names[0] + (", " + rate)).c_str());
   parts_->is_new = true;
 }
 
@@ -226,8 +313,17 @@ LiveViewer::showPlan(const std::vector<PlanLine>& lines)
   const std::lock_guard lock(parts_->drawing);
   if (!parts_->is_plan_shown)
     parts_->addPlan();
-  parts_->plan_mapper->SetInputData(dataOf(lines));
+  parts_->plan_mapper->SetInputData(dataOf(lines, false));
+  parts_->areas_mapper->SetInputData(dataOf(lines, true));
   parts_->turnPlan(parts_->plan_mapper->GetBounds());
+  parts_->is_new = true;
+}
+
+void
+LiveViewer::setStatus(const std::string& text)
+{
+  const std::lock_guard lock(parts_->drawing);
+  parts_->status->SetInput(text.c_str());
   parts_->is_new = true;
 }
 

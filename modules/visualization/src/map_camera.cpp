@@ -75,9 +75,9 @@ longestSight(const Trajectory& trajectory,
 constexpr double outside_yaw = 25 * degree;
 constexpr double outside_pitch = 45 * degree;
 constexpr double turned_share = 0.1;
-constexpr double one_sided_share = 0.4; // of the area faces one side, as in one view
-constexpr double front_yaw = 20 * degree;
-constexpr double front_pitch = 35 * degree;
+constexpr double one_sided_share = 0.6; // of the area faces one side, as in one view
+constexpr double front_yaw = 18 * degree;
+constexpr double front_pitch = 15 * degree;
 constexpr double inside_angle = 70;         // degrees
 constexpr double inside_pitch = 6 * degree; // slightly downwards
 constexpr double plan_margin = 1.15;        // leaves room for the scale bar

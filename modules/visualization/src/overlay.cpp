@@ -65,7 +65,7 @@ setText(vtkTextActor& actor, const std::string& text)
   actor.SetVisibility(!text.empty());
 }
 
-/** \brief Lines with space around them, as the text of a box has none. */
+/** \brief Lines with room beside them, as the text of a box has none. */
 std::string
 padded(const std::string& text)
 {

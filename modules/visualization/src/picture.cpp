@@ -8,6 +8,8 @@
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkPNGWriter.h>
 #include <vtkProp.h>
 #include <vtkRenderState.h>
@@ -103,7 +105,11 @@ public:
     vtkRenderState heavier(renderer);
     heavier.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
     heavier.SetFrameBuffer(state->GetFrameBuffer());
+    vtkOpenGLState& before =
+        *static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+    before.Push(); // else texts over the scene are blended in another way
     Superclass::Render(&heavier);
+    before.Pop();
   }
 
 private:
@@ -174,7 +180,6 @@ makeStage(const Camera& camera)
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetBackground(background.data());
-  renderer->SetBackgroundAlpha(1); // else the last picture shows through shaded depths
   addLights(renderer);
   setCamera(camera, renderer);
   return renderer;

@@ -16,16 +16,19 @@
 
 namespace pcl {
 
-/** \brief A line of a plan in one colour: red, green, blue. \ingroup visualization */
+/** \brief A line or an area of a plan in one colour: red, green, blue.
+ * \ingroup visualization */
 struct PlanLine {
   std::vector<Eigen::Vector2d>
-      points; ///< metres; a closed line repeats its first point
+      points; ///< metres; a closed line repeats its first point, an area does not
   std::array<std::uint8_t, 3> color{};
+  bool is_area = false; ///< drawn below the lines, in the given order
 };
 
 /** \brief A window with the last cloud, next to it the last images in small size, and
- * below it the plan of the map so far if one is made. Used by one thread. After the user
- * has closed it, nothing is shown any more.
+ * below it the plan of the map so far if one is made; a label says what each is, and how
+ * many frames come in a second. Used by one thread. After the user has closed it, nothing
+ * is shown any more.
  * \code
  * std::mutex drawing;
  * pcl::LiveViewer viewer (drawing, "what the rig sees");
@@ -55,6 +58,10 @@ public:
   /** \brief Sets a plan; its longer side is laid along the window. */
   void
   showPlan(const std::vector<PlanLine>& lines);
+
+  /** \brief Sets a line that says how the work goes, such as "12 observations, 31 m²". */
+  void
+  setStatus(const std::string& text);
 
   /** \brief Draws new data and processes mouse events, at most ten times a second. */
   void
