@@ -26,6 +26,8 @@ namespace pcl {
 
 namespace {
 
+constexpr float size_on_surfaces = 3; // pixels of a point; it need not close up there
+
 bool
 hasPoints(const PCLPointCloud2& cloud)
 {
@@ -332,6 +334,8 @@ LayerStage::prepare(Act act, SceneLayer layer)
                                               : actorsOfLayer(making, layer);
   if (layer == SceneLayer::Planes)
     plane_faces_ = actors;
+  else if (layer == SceneLayer::Points)
+    points_[place] = {actors.front(), actors.front()->GetProperty()->GetPointSize()};
   else if (layer == SceneLayer::Mesh && place.first == Act::Map)
     mesh_ = actors;
   for (const SurfaceOutline& outline : outlinesOfLayer(making, layer)) {
@@ -353,6 +357,11 @@ LayerStage::update()
                           shows(SceneLayer::Texture);
   for (const auto& face : plane_faces_)
     face->GetProperty()->SetOpacity(is_beneath ? layer_opacity : 1);
+  const bool is_on_surface = shows(SceneLayer::Mesh) || shows(SceneLayer::Planes) ||
+                             shows(SceneLayer::Texture);
+  for (const auto& [place, points] : points_)
+    points.first->GetProperty()->SetPointSize(is_on_surface ? size_on_surfaces
+                                                            : points.second);
   shadeDepths(shows(SceneLayer::Points), renderer_);
 }
 

@@ -203,6 +203,8 @@ private:
   std::map<Act, std::set<SceneLayer>> shown_;
   std::map<Place, vtkSmartPointer<vtkAssembly>> layers_;
   Actors plane_faces_;
+  /** \brief The points, with the size at which they close up. */
+  std::map<Place, std::pair<vtkSmartPointer<vtkActor>, float>> points_;
   std::vector<SurfaceOutline> outlines_;
   Actors mesh_;
   double roughness_ = 0; ///< of the planes, metres
