@@ -6,11 +6,14 @@
 #include "stage_reports.h"
 #include "tool.h"
 
+#include <pcl/conversions.h>
 #include <pcl/core/cloud_assessment.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/map_file.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/core/point_types.h>
+#include <pcl/pipeline/observation_sequence.h>
 #include <pcl/texture/compact_map_folder.h>
 #include <pcl/visualization/layered_scene.h>
 #include <pcl/visualization/scene_file.h>
@@ -116,7 +119,7 @@ addOptions(Tool& tool, ViewerOptions& options)
                  "Mesh (.ply, .vtk), point cloud (.pcd, .ply, .obj, .xyz, .txt, .csv, "
                  ".pts, .ptx, .las, .e57), "
                  "planes (.json) "
-                 "or folder of a map, or of a rectification")
+                 "or folder of a map, of observations, or of a rectification")
       ->type_name("FILE|DIR")
       ->required();
   app.add_option("--screenshot",
@@ -212,25 +215,25 @@ note(const PointCloudFile& file, std::vector<std::string>& remarks)
   remarks.insert(remarks.end(), lengths.begin(), lengths.end());
 }
 
-/** \brief Which direction of a file is up, and from where it was seen, as stated, else as
- * its points show it. */
-void
+/** \brief What a cloud is, as stated, else as its points show it. */
+CloudAssessmentReport
 assess(const std::shared_ptr<const PointCloudFile>& file,
-       const PointCloudReader& reader,
-       ViewerInput& input)
+       const PointCloudReader& reader)
 {
   CloudAssessment assessment;
   assessment.setInputCloud(file);
   if (reader.getUpDirection())
     assessment.setUpDirection(*reader.getUpDirection());
   assessment.compute();
-  const CloudAssessmentReport& report = assessment.getReport();
-  input.up = report.up.value.cast<float>();
-  if (report.up.outcome != UpOutcome::Stated)
-    input.up_line = describe(report.up);
-  if (report.sensors.isKnown())
-    input.sensor_origin = file->sensor_origin;
-  input.sensor_orientation = file->sensor_orientation;
+  return assessment.getReport();
+}
+
+void
+takeUp(const UpEvidence& up, ViewerInput& input)
+{
+  input.up = up.value.cast<float>();
+  if (up.outcome != UpOutcome::Stated)
+    input.up_line = describe(up);
 }
 
 ViewerInput
@@ -242,7 +245,11 @@ loadFile(const std::string& path, const PointCloudReader& reader)
   ViewerInput input;
   note(file.points, input.remarks);
   const auto points = std::make_shared<PointCloudFile>(std::move(file.points));
-  assess(points, reader, input);
+  const CloudAssessmentReport report = assess(points, reader);
+  takeUp(report.up, input);
+  if (report.sensors.isKnown())
+    input.sensor_origin = points->sensor_origin;
+  input.sensor_orientation = points->sensor_orientation;
   LayeredScene& scene = input.scene;
   (file.mesh.triangles.empty() ? scene.points : scene.vertices) =
       std::move(points->cloud);
@@ -311,6 +318,54 @@ loadPosesBefore(const fs::path& folder, ViewerInput& input)
                             "shown before rectification");
 }
 
+/** Is a folder a sequence of observations? */
+bool
+hasClouds(const fs::path& folder)
+{
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (endingOf(entry.path().string()) == ".pcd")
+      return true;
+  return false;
+}
+
+/** \brief Some of the points of all observations of a folder, under their poses. */
+ViewerInput
+loadObservations(const fs::path& folder, const PointCloudReader& reader)
+{
+  constexpr std::size_t most_points = 2000000; // of all observations
+  const ObservationSequence sequence(folder.string(), reader.getScale());
+  const std::size_t share = most_points / sequence.size() + 1;
+  PointCloud<PointXYZRGBNormalView> points;
+  ViewerInput input;
+  Trajectory& trajectory = input.scene.map.trajectory;
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    stopIfInterrupted();
+    const PosedObservation observation = sequence.load(i);
+    PointCloud<PointXYZRGB> seen;
+    fromPCLPointCloud2(observation.file->cloud, seen);
+    const Eigen::Isometry3f pose = observation.T_map_camera.cast<float>();
+    for (std::size_t k = 0; k < seen.size(); k += seen.size() / share + 1) {
+      PointXYZRGBNormalView point;
+      point.getVector3fMap() = pose * seen[k].getVector3fMap();
+      point.rgba = seen[k].rgba;
+      point.view = static_cast<std::int32_t>(i);
+      if (point.getVector3fMap().allFinite())
+        points.push_back(point);
+    }
+    trajectory.stamps.push_back(sequence.stamp(i));
+    trajectory.poses.push_back(observation.T_map_camera);
+  }
+  if (points.empty())
+    throw NothingFound(folder.string() + ": nothing to show, no point is finite");
+  const auto merged = std::make_shared<PointCloudFile>();
+  toPCLPointCloud2(points, merged->cloud);
+  if (const UpEvidence up = assess(merged, reader).up; up.isKnown())
+    takeUp(up, input); // else the cameras tell it
+  input.scene.points = std::move(merged->cloud);
+  return input;
+}
+
 ViewerInput
 loadFolder(const fs::path& folder)
 {
@@ -319,9 +374,9 @@ loadFolder(const fs::path& folder)
   const bool has_poses = isThere(folder / "trajectory.txt");
   if (!has_map && !(has_cloud && has_poses))
     throw InputFileException(folder.string() +
-                             ": is a folder without a map.json, and without both "
-                             "map.pcd and trajectory.txt; of other folders only "
-                             "single files can be shown");
+                             ": is a folder without a map.json, without both map.pcd "
+                             "and trajectory.txt, and without observations (.pcd); of "
+                             "other folders only single files can be shown");
   ViewerInput input;
   if (has_map)
     input.scene.map = loadCompactMap(folder.string());
@@ -337,8 +392,8 @@ loadFolder(const fs::path& folder)
   return input;
 }
 
-/** \brief Reads a cloud, a mesh, planes (.json), or a folder with map.json, or with
- * map.pcd and trajectory.txt, and the other files in the folder: mesh.ply, map.pcd,
+/** \brief Reads a cloud, a mesh, planes (.json), a folder of observations, or one with
+ * map.json, or with map.pcd and trajectory.txt, and the other files in the folder: mesh.ply, map.pcd,
  * trajectory.txt, trajectory_before.txt.
  * \param[in] reader of a cloud or mesh, with what is stated of it
  * \throws InputFileException naming file and fault
@@ -352,6 +407,10 @@ loadViewerInput(const std::string& path, const PointCloudReader& reader)
   const bool is_map = is_folder || endingOf(path) == ".json";
   if (!is_map)
     return loadFile(path, reader);
+  const fs::path place = path;
+  if (is_folder && !isThere(place / "map.json") && !isThere(place / "map.pcd") &&
+      hasClouds(place))
+    return loadObservations(place, reader);
   if (reader.getScale() != 1)
     throw UsageError("--scale is for clouds and meshes; maps are in metres");
   ViewerInput input;

@@ -36,7 +36,7 @@ public:
       floor_plan_ = makeFloorPlan(*state.provisional);
     provisional_ = state.provisional;
     showPlan(linesOf(state));
-    setStatus(statusOf(state));
+    showStatus(statusOf(state));
   }
 
 private:

@@ -237,6 +237,23 @@ TEST_F(ViewerOfMaps, ShowsFoldersOfARectificationAsAPlan)
       << done.err;
 }
 
+TEST_F(ViewerOfMaps, ShowsFoldersOfObservationsUnderTheirPoses)
+{
+  const std::string folder = folder_.path("observations");
+  fs::create_directory(folder);
+  for (const char* name : {"0", "1"})
+    folder_.write(std::string("observations/observation_000") + name + ".pcd",
+                  planePcd());
+  const std::string first = "0 0 0 0 0 0 0 1\n";
+  folder_.write("observations/trajectory.txt", first + "1 4 0 0 0 0 0 1\n");
+  const ShownPicture apart = shoot(folder, {"--layers", "points"});
+  folder_.write("observations/trajectory.txt", first + "1 0.01 0 0 0 0 0 1\n");
+  const ShownPicture together = shoot(folder, {"--layers", "points"});
+  EXPECT_NE(apart.pixels, together.pixels);
+  folder_.write("observations/trajectory.txt", first);
+  expectNoPicture(run(folder), 3, "trajectory.txt");
+}
+
 TEST_F(ViewerOfMaps, StepsThroughTheWallsOfAMesh)
 {
   addMeshAndCloud();

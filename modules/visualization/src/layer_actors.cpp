@@ -176,7 +176,9 @@ cameraOf(const LayeredScene& scene, const LayeredView& view)
       is_cloud ? makeScene(cloudOf(scene), {}) : makeScene(scene.vertices, scene.mesh);
   if (scene.map.trajectory.poses.empty())
     return placeCamera(all.points, meanNormal(all), view);
-  const auto samples = someOf(all.points);
+  auto samples = someOf(all.points);
+  const MapLine way = lineOf(scene.map.trajectory);
+  samples.insert(samples.end(), way.points.begin(), way.points.end());
   return placeMapCamera(
       scene.map, {}, samples, frameOf(scene.map, samples, view), view);
 }

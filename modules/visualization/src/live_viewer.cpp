@@ -320,7 +320,7 @@ LiveViewer::showPlan(const std::vector<PlanLine>& lines)
 }
 
 void
-LiveViewer::setStatus(const std::string& text)
+LiveViewer::showStatus(const std::string& text)
 {
   const std::lock_guard lock(parts_->drawing);
   parts_->status->SetInput(text.c_str());

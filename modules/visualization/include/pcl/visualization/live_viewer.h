@@ -61,7 +61,7 @@ public:
 
   /** \brief Sets a line that says how the work goes, such as "12 observations, 31 m²". */
   void
-  setStatus(const std::string& text);
+  showStatus(const std::string& text);
 
   /** \brief Draws new data and processes mouse events, at most ten times a second. */
   void
