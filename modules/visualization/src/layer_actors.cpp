@@ -13,9 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
-#include <unordered_set>
 
 namespace pcl::acmap {
 
@@ -75,17 +73,22 @@ cutForPlan(const LayerMaking& making, const Trajectory& trajectory, Scene& point
 }
 
 /** \brief Number of squares of a picture in which there are points.
+ * \param[in] pixels of the points, from 0 to the size of the picture
  * \param[in] side of a square, pixels */
 std::size_t
-squaresWithPoints(const std::vector<Eigen::Vector2f>& pixels, float side)
+squaresWithPoints(const std::vector<Eigen::Vector2f>& pixels,
+                  const SceneView& view,
+                  float side)
 {
-  std::unordered_set<std::uint64_t> squares;
-  for (const Eigen::Vector2f& pixel : pixels) {
-    const Eigen::Array2i square = (pixel / side).array().floor().cast<int>();
-    squares.insert(std::uint64_t{static_cast<std::uint32_t>(square.x())} << 32 |
-                   static_cast<std::uint32_t>(square.y()));
-  }
-  return squares.size();
+  const auto columns =
+      static_cast<std::size_t>(static_cast<float>(view.width) / side) + 1;
+  const auto rows =
+      static_cast<std::size_t>(static_cast<float>(view.height) / side) + 1;
+  std::vector<bool> squares(columns * rows);
+  for (const Eigen::Vector2f& pixel : pixels)
+    squares[static_cast<std::size_t>(pixel.y() / side) * columns +
+            static_cast<std::size_t>(pixel.x() / side)] = true;
+  return static_cast<std::size_t>(std::count(squares.begin(), squares.end(), true));
 }
 
 /** \brief The size at which points close up to surfaces in the first picture, pixels. */
@@ -105,15 +108,16 @@ pointSize(const std::vector<Eigen::Vector3f>& points,
     const double half_height =
         camera.parallel_height > 0 ? camera.parallel_height / 2 : slope * d.dot(ahead);
     const Eigen::Vector2d place = Eigen::Vector2d(d.dot(right), d.dot(camera.up)) *
-                                  (view.height / 2.0 / half_height);
-    if (half_height > 0 && std::abs(place.y()) < view.height &&
-        std::abs(place.x()) < view.width)
+                                      (view.height / 2.0 / half_height) +
+                                  Eigen::Vector2d(view.width, view.height) / 2;
+    if (half_height > 0 && place.minCoeff() >= 0 && place.x() < view.width &&
+        place.y() < view.height)
       pixels.push_back(place.cast<float>());
   }
   float size = least;
   while (size < most &&
-         4.0 * static_cast<double>(squaresWithPoints(pixels, 2 * size)) * closed >
-             static_cast<double>(squaresWithPoints(pixels, size)))
+         4.0 * static_cast<double>(squaresWithPoints(pixels, view, 2 * size)) * closed >
+             static_cast<double>(squaresWithPoints(pixels, view, size)))
     ++size;
   return size;
 }

@@ -1,5 +1,7 @@
 #include "overlay.h"
 
+#include "picture.h"
+
 #include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkPolyDataMapper2D.h>
@@ -101,6 +103,9 @@ Overlay::Overlay(vtkRenderWindow& window)
   setBox(*card_);
   setBox(*notice_);
   hint_->GetTextProperty()->SetJustificationToCentered();
+  hint_->GetTextProperty()->SetBackgroundColor(
+      background[0], background[1], background[2]);
+  hint_->GetTextProperty()->SetBackgroundOpacity(0.75);
   for (auto* text : {hint_.Get(), card_.Get(), notice_.Get()})
     renderer_->AddActor2D(text);
   observer_ = renderer_->AddObserver(vtkCommand::StartEvent, this, &Overlay::layOut);
