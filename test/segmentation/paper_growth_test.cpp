@@ -303,11 +303,13 @@ TEST(PaperGrowth, isTheNaiveOneWithAMesh)
 TEST(PaperGrowth, thresholdsAreUsed)
 {
   for (const NaiveThresholds& limits : {NaiveThresholds{0.4, 0.38, 0.1, 20},
-                                        NaiveThresholds{0.8, 0.1, 0.25, 10},
+                                        NaiveThresholds{0.8, 0.11, 0.25, 10},
                                         NaiveThresholds{1.5, 1.05, 0.05, 100}})
     for (const bool by_members : {false, true}) {
       NaiveThresholds used = limits;
       used.by_members = by_members;
+      SCOPED_TRACE(std::to_string(limits.member_distance) +
+                   (by_members ? " m, of members" : " m, of the hypothesis"));
       EXPECT_GE(compareWithNaive(makeRoomHypotheses(7), used), 2U);
       compareWithNaive(makeHardHypotheses(7), used);
     }
