@@ -250,7 +250,7 @@ scoresOf(const PaperWayRun& run, const SessionTruth& truth)
   scores.offset = main.mean_offset;
   scores.ate = main.ate_after;
   for (const PlaneDeviation& plane : main.planes)
-    scores.cover += plane.overlap;
+    scores.cover += plane.cover;
   // a plane is spurious if, alone in a map, it finds none of all true planes
   SessionTruth all = truth;
   for (TruePlane& plane : all.planes)

@@ -125,6 +125,7 @@ matched(const CompactMap& map,
         const Eigen::Isometry3d& T_truth_map)
 {
   std::vector<PlaneDeviation> matches(planes.size());
+  std::vector<std::vector<PlacedPlane>> pieces(planes.size());
   for (std::size_t f = 0; f < map.planes.size(); ++f) {
     const PlacedPlane found = placed(map.planes[f], T_truth_map);
     std::optional<PlaneDeviation> nearest;
@@ -136,13 +137,17 @@ matched(const CompactMap& map,
         owner = t;
       }
     }
+    if (nearest)
+      pieces[owner].push_back(found);
     if (!nearest || nearest->overlap <= matches[owner].overlap)
       continue;
     matches[owner] = *nearest;
     matches[owner].finder = f;
   }
-  for (std::size_t t = 0; t < planes.size(); ++t)
+  for (std::size_t t = 0; t < planes.size(); ++t) {
     matches[t].name = planes[t].name;
+    matches[t].cover = coverOf(pieces[t], planes[t]);
+  }
   return matches;
 }
 

@@ -33,4 +33,10 @@ struct PlaneOverlap {
 PlaneOverlap
 overlapOf(const PlacedPlane& found, const TruePlane& truth);
 
+/** \brief Area of a true plane that found planes cover together, projected along its normal, in
+ * squares of 2 cm.
+ * \return square metres */
+double
+coverOf(const std::vector<PlacedPlane>& found, const TruePlane& truth);
+
 } // namespace pcl::acmap

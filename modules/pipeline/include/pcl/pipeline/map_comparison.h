@@ -26,6 +26,8 @@ struct PlaneDeviation {
   double angle = 0;                  ///< degrees, for unoriented normals
   double offset = 0;  ///< metres, at the centroid of the overlap of the two
   double overlap = 0; ///< square metres
+  double cover =
+      0; ///< square metres, of the true plane, by all planes that correspond to it
 };
 
 /** \brief Deviation of a map from the truth in a common frame. NaN where nothing was
@@ -54,7 +56,7 @@ struct MapFigures {
  * found when a plane of the map deviates by at most 3 degrees and 10 cm from it and
  * more than half of its area is on it. A plane of the map corresponds to the closest
  * possible true plane; of several planes for one true plane, that with the largest
- * overlap counts.
+ * overlap counts, and their union is its cover.
  * \throws InputFileException when the session has no such observation
  * \throws BadArgumentException when the trajectory has no observations, or their
  * numbers differ */
