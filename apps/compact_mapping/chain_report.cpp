@@ -84,9 +84,12 @@ tellLines(const RunStage& stage, bool verbose, StageLog& log)
     log.tell(stage.name,
              stage.is_reused ? "as it was finished before"
                              : shortNumber(totalSeconds(stage.told)) + " s");
-  for (const auto& [name, value] : stage.told.lines)
-    if (isForChain(name, verbose))
-      log.tell(indent + name, value);
+  for (const auto& line : stage.told.lines) {
+    const bool is_told =
+        !verbose && std::count(log.lines.begin(), log.lines.end(), line) > 0;
+    if (isForChain(line.first, verbose) && !is_told)
+      log.tell(indent + line.first, line.second);
+  }
   if (!stage.removed.empty())
     log.tell(indent + "removed", inOneLine(stage.removed) + " of the result before");
 }
