@@ -57,13 +57,16 @@ inOneLine(const std::vector<std::string>& names)
   return line;
 }
 
+/** \brief The line that is told first: the given poses are kept, for want of a proof. */
+constexpr std::string_view undetermined = "undetermined";
+
 /** \brief Lines of the stages that are told without --verbose, too: what was found out or assumed of
  * the input, and what became of the poses. */
 constexpr std::string_view always_told[] = {
-    "undetermined", "read",         "columns",  "coordinates", "layout", "intrinsics",
-    "depth scale",  "median depth", "left out", "matched",     "up",     "sensor",
-    "noise",        "posed",        "joined",   "rectified",   "kept",   "verdict",
-    "error left",   "recorded",     "tilted"};
+    "read",        "columns",      "coordinates", "layout",   "intrinsics",
+    "depth scale", "median depth", "left out",    "matched",  "up",
+    "sensor",      "noise",        "posed",       "joined",   "rectified",
+    "kept",        "verdict",      "error left",  "recorded", "tilted"};
 
 /** \brief Is a line of a step's summary told? The folders belong to the chain, and there is one
  * line for the seconds of all steps. */
@@ -87,7 +90,9 @@ tellLines(const RunStage& stage, bool verbose, StageLog& log)
   for (const auto& line : stage.told.lines) {
     const bool is_told =
         !verbose && std::count(log.lines.begin(), log.lines.end(), line) > 0;
-    if (isForChain(line.first, verbose) && !is_told)
+    if (line.first == undetermined)
+      log.lines.insert(log.lines.begin(), line);
+    else if (isForChain(line.first, verbose) && !is_told)
       log.tell(indent + line.first, line.second);
   }
   if (!stage.removed.empty())
