@@ -77,8 +77,9 @@ struct FigureText {
 constexpr std::array<FigureText, 4> figure_texts = {
     {{"sharpness",
       "Sharpness",
-      "How far floors, ceilings and walls are from planes, beyond noise: thick where observations "
-      "do not lie on each other.",
+      "How far apart several observations see the same place of floor, ceiling and "
+      "walls, without "
+      "noise; of one observation, how uneven these are.",
       1000,
       "%.1f mm",
       "%g mm"},
@@ -111,11 +112,11 @@ scaleOf(double value, double good, double bad, const FigureText& text)
       std::string(text.name) + " from bad to good\">";
   constexpr const char* colors[] = {"#d9805f", "#ecd58c", "#7fb98b"};
   for (int k = 0; k < 3; ++k)
-    svg += "<rect x=\"" + at(k * zone) + "\" y=\"" + at(top) + "\" width=\"" + at(zone) +
-           "\" height=\"" + at(height) + "\" fill=\"" + colors[k] + "\"/>";
+    svg += "<rect x=\"" + at(k * zone) + "\" y=\"" + at(top) + "\" width=\"" +
+           at(zone) + "\" height=\"" + at(height) + "\" fill=\"" + colors[k] + "\"/>";
   const auto label = [&](double x, const char* anchor, const std::string& words) {
-    svg += "<text x=\"" + at(x) + "\" y=\"43\" text-anchor=\"" + anchor + "\">" + words +
-           "</text>";
+    svg += "<text x=\"" + at(x) + "\" y=\"43\" text-anchor=\"" + anchor + "\">" +
+           words + "</text>";
   };
   label(0, "start", "bad");
   label(zone, "middle", printed(text.limit_format, text.factor * bad));
@@ -158,8 +159,9 @@ colorOf(double roughness)
   const double part = share - static_cast<double>(first);
   std::string color = "rgb(";
   for (std::size_t k = 0; k < 3; ++k)
-    color += printed("%.0f", (1 - part) * stops[first][k] + part * stops[first + 1][k]) +
-             (k < 2 ? "," : ")");
+    color +=
+        printed("%.0f", (1 - part) * stops[first][k] + part * stops[first + 1][k]) +
+        (k < 2 ? "," : ")");
   return color;
 }
 
@@ -237,8 +239,8 @@ private:
     const auto pattern = [&](const char* name, const char* color, int angle) {
       const std::string size = at(1.6 * unit_);
       return "<pattern id=\"" + std::string(name) +
-             "\" patternUnits=\"userSpaceOnUse\" width=\"" + size + "\" height=\"" + size +
-             "\" patternTransform=\"rotate(" + std::to_string(angle) +
+             "\" patternUnits=\"userSpaceOnUse\" width=\"" + size + "\" height=\"" +
+             size + "\" patternTransform=\"rotate(" + std::to_string(angle) +
              ")\"><path d=\"M0 0V" + size + "\" stroke=\"" + color +
              "\" stroke-width=\"" + at(0.7 * unit_) + "\"/></pattern>";
     };
@@ -267,8 +269,8 @@ private:
       side = std::max(side, 2 * unit_);
     std::string path;
     for (const Json& patch : listOf("unseen"))
-      if (const auto where = numbersOf(patch, 3); where && areFinite(*where, 2) &&
-                                                  patch[2] == Json(role))
+      if (const auto where = numbersOf(patch, 3);
+          where && areFinite(*where, 2) && patch[2] == Json(role))
         path += "M" + place((*where)[0] - side / 2, (*where)[1] + side / 2) + "h" +
                 at(side) + "v" + at(side) + "h" + at(-side) + "z";
     if (!path.empty())
@@ -283,9 +285,10 @@ private:
       if (!line || !areFinite(*line, 5))
         continue;
       const double plane = (*line)[4];
-      const double roughness = plane >= 0 && plane < static_cast<double>(roughness_.size())
-                                   ? roughness_[static_cast<std::size_t>(plane)]
-                                   : std::numeric_limits<double>::quiet_NaN();
+      const double roughness =
+          plane >= 0 && plane < static_cast<double>(roughness_.size())
+              ? roughness_[static_cast<std::size_t>(plane)]
+              : std::numeric_limits<double>::quiet_NaN();
       svg_ += "<path d=\"M" + place((*line)[0], (*line)[1]) + "L" +
               place((*line)[2], (*line)[3]) + "\" stroke=\"" + colorOf(roughness) +
               "\" stroke-width=\"" + at(1.1 * unit_) + "\"><title>plane " +
@@ -328,8 +331,8 @@ private:
                  direction = flat(fieldOf(position, "direction"));
       if (!eye || !direction)
         continue;
-      const double angle =
-          180 / 3.14159265358979323846 * std::atan2(-direction->second, direction->first);
+      const double angle = 180 / 3.14159265358979323846 *
+                           std::atan2(-direction->second, direction->first);
       const std::string begin = "<g transform=\"translate(" +
                                 place(eye->first, eye->second) + ") scale(" +
                                 at(0.8 * unit_) + ")";
@@ -337,9 +340,10 @@ private:
               ")\"><path d=\"M0 0L14 -8A16 16 0 0 1 14 8Z\" fill=\"#7a3fa0\" "
               "fill-opacity=\".25\"/><path d=\"M3 -.7H10V-2.4L15 0L10 2.4V.7H3Z\" "
               "fill=\"#7a3fa0\"/></g>";
-      numbers += begin + "\"><circle r=\"3\" fill=\"#7a3fa0\"/><text "
-                         "text-anchor=\"middle\" y=\"1.6\" font-size=\"4.4\" "
-                         "fill=\"#fff\">" +
+      numbers += begin +
+                 "\"><circle r=\"3\" fill=\"#7a3fa0\"/><text "
+                 "text-anchor=\"middle\" y=\"1.6\" font-size=\"4.4\" "
+                 "fill=\"#fff\">" +
                  std::to_string(number) + "</text></g>";
     }
     svg_ += numbers;
@@ -381,8 +385,7 @@ figuresOf(const Json& quality)
         numbersOf(Json::array({fieldOf(figure, "good"), fieldOf(figure, "bad")}), 2);
     if (!areFinite(*limits, 2) || (*limits)[0] == (*limits)[1])
       continue;
-    const double value =
-        numbersOf(Json::array({fieldOf(figure, "value")}), 1)->front();
+    const double value = numbersOf(Json::array({fieldOf(figure, "value")}), 1)->front();
     figures.push_back({{"name", text.name},
                        {"value",
                         std::isfinite(value) ? printed(text.format, text.factor * value)
@@ -431,8 +434,7 @@ energyPicture(const Json& steps)
     return {};
   std::sort(sorted.begin(), sorted.end());
   // those far above the others leave the picture
-  const double maximum =
-      std::max(sorted[sorted.size() - 1 - sorted.size() / 40], 1e-6);
+  const double maximum = std::max(sorted[sorted.size() - 1 - sorted.size() / 40], 1e-6);
   constexpr double width = 640, left = 64, base = 214;
   const auto x = [&](std::size_t step) {
     return left + (width - left - 8) * static_cast<double>(step) /
@@ -444,12 +446,13 @@ energyPicture(const Json& steps)
   std::string path;
   for (std::size_t k = 0; k < heights.size(); ++k)
     if (std::isfinite(heights[k]))
-      path += (k > 0 && std::isfinite(heights[k - 1]) && kindOf(k - 1) == kindOf(k)
-                   ? "L"
-                   : "M") +
-              at(x(k)) + " " + at(y(heights[k])) + (path.empty() ? "h.1" : "");
+      path +=
+          (k > 0 && std::isfinite(heights[k - 1]) && kindOf(k - 1) == kindOf(k) ? "L"
+                                                                                : "M") +
+          at(x(k)) + " " + at(y(heights[k])) + (path.empty() ? "h.1" : "");
   std::string svg =
-      "<svg class=\"energy\" viewBox=\"0 0 640 240\" role=\"img\" aria-label=\"Energy over "
+      "<svg class=\"energy\" viewBox=\"0 0 640 240\" role=\"img\" aria-label=\"Energy "
+      "over "
       "the steps of each search\"><path d=\"M64 4V214H632\" stroke=\"#888\" "
       "fill=\"none\"/>";
   for (const double share : {0.0, 0.5, 1.0})
@@ -457,8 +460,9 @@ energyPicture(const Json& steps)
            "\" text-anchor=\"end\">" + printed("%.3g", share * maximum) + "</text>";
   svg += "<text x=\"632\" y=\"234\" text-anchor=\"end\">" +
          std::to_string(heights.size()) + " steps</text>";
-  return svg + "<path d=\"" + path + "\" stroke=\"#2662a6\" stroke-width=\"2\" "
-                                     "stroke-linejoin=\"round\" fill=\"none\"/></svg>";
+  return svg + "<path d=\"" + path +
+         "\" stroke=\"#2662a6\" stroke-width=\"2\" "
+         "stroke-linejoin=\"round\" fill=\"none\"/></svg>";
 }
 
 } // namespace pcl::acmap

@@ -425,7 +425,8 @@ roughestOf(const Json& details, const Json& roughness)
           roughness[k].get<double>(),
           Json{{"description", textOf(planes[k], "description")},
                {"roughness", roughness[k]},
-               {"id", numberIn(fieldOf(planes[k], "id")).value_or(static_cast<double>(k))}});
+               {"id",
+                numberIn(fieldOf(planes[k], "id")).value_or(static_cast<double>(k))}});
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
     return a.first > b.first;
   });
@@ -452,8 +453,8 @@ sentenceOf(const Json& quality)
 {
   std::string sentence = textOf(quality, "sentence");
   if (!sentence.empty())
-    sentence[0] = static_cast<char>(
-        std::toupper(static_cast<unsigned char>(sentence[0])));
+    sentence[0] =
+        static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
   return sentence;
 }
 

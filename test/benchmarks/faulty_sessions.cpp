@@ -34,7 +34,8 @@ smallSceneOf(const std::string& scene)
       text,
       std::regex("\nsensor:[^\n]*\n"),
       "\nsensor: {reach: 6, points: 20000}\n"
-      "rig: {width: 240, height: 180, focal_length: 195, center_x: 119.5, center_y: 89.5, "
+      "rig: {width: 240, height: 180, focal_length: 195, center_x: 119.5, center_y: "
+      "89.5, "
       "baseline_horizontal: -0.1, baseline_vertical: -0.1, disparity_sigma: 0.2}\n");
 }
 

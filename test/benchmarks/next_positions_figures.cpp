@@ -1,5 +1,6 @@
 #include "bench.h"
 #include "faulty_sessions.h"
+#include "quality/seen_faces.h"
 #include "run_tool.h"
 #include "temporary_folder.h"
 
@@ -112,7 +113,8 @@ seenBy(const SimulatedScene& scene,
     if (column < 0 || row < 0 || column >= rig.width || row >= rig.height)
       continue;
     const double cosine =
-        std::abs((samples[k].place - T_scene_camera.translation()).dot(samples[k].normal)) /
+        std::abs(
+            (samples[k].place - T_scene_camera.translation()).dot(samples[k].normal)) /
         distance;
     const double hit = image.distance[static_cast<std::size_t>(row) *
                                           static_cast<std::size_t>(rig.width) +
@@ -120,6 +122,30 @@ seenBy(const SimulatedScene& scene,
     // a pixel is as wide as the distance over the focal length
     if (cosine >= min_cosine &&
         std::abs(hit - distance) < near + distance / rig.focal_length / cosine)
+      seen[k / 64] |= std::uint64_t{1} << (k % 64);
+  }
+  return seen;
+}
+
+/** Which samples are on planes of a map.
+ * \param[in] T_map_scene of the truth */
+Seen
+mappedBy(const CompactMap& map,
+         const Isometry3d& T_map_scene,
+         const std::vector<Sample>& samples)
+{
+  constexpr double near = 0.1, min_cosine = 0.9; // metres
+  std::vector<SeenFace> faces;
+  for (const PlanePatch& plane : map.planes)
+    faces.emplace_back(plane);
+  Seen seen(samples.size() / 64 + 1, 0);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const Vector3d place = T_map_scene * samples[k].place,
+                   normal = T_map_scene.linear() * samples[k].normal;
+    if (std::any_of(faces.begin(), faces.end(), [&](const SeenFace& face) {
+          return std::abs(face.distanceTo(place)) < near &&
+                 std::abs(face.normal().dot(normal)) > min_cosine && face.covers(place);
+        }))
       seen[k / 64] |= std::uint64_t{1} << (k % 64);
   }
   return seen;
@@ -244,7 +270,8 @@ candidatesOf(const SimulatedScene& scene,
             return false;
           const Vector3d arm = place - rectangle->corner;
           // of the rectangle, seen from above; floors and ceilings are not in the way
-          const Vector3d other = rectangle->corner + rectangle->edge_u + rectangle->edge_v;
+          const Vector3d other =
+              rectangle->corner + rectangle->edge_u + rectangle->edge_v;
           if (std::min(rectangle->corner.y(), other.y()) > floor - 0.05 ||
               std::max(rectangle->corner.y(), other.y()) < floor - 2)
             return false;
@@ -282,8 +309,9 @@ struct PartlySeen {
 void
 printUncovered()
 {
-  printHead("scene | observations | unseen, m² | uncovered by three proposals, m² | by the "
-            "search, m² | share, %");
+  printHead(
+      "scene | observations | unseen, m² | uncovered by three proposals, m² | by the "
+      "search, m² | share, %");
   const test::TemporaryFolder folder;
   for (const PartlySeen& part : {PartlySeen{"room", 14},
                                  {"office", 16},
@@ -314,10 +342,8 @@ printUncovered()
 
     const SimulatedScene scene = loadSimulatedScene(session + ".yaml");
     const std::vector<Sample> samples = samplesOf(scene.geometry);
-    Seen seen(samples.size() / 64 + 1, 0);
-    for (std::size_t view = 0; view < part.observations; ++view)
-      add(seenBy(scene, scene.rig, scene.views[view], scene.sensor.reach, samples), seen);
     const Isometry3d& T_scene_map = scene.views.front();
+    const Seen seen = mappedBy(map, T_scene_map.inverse(), samples);
     Seen with_proposals = seen;
     for (const NextPosition& position : next.getReport().positions)
       add(seenBy(scene,

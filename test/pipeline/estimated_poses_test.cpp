@@ -46,11 +46,14 @@ TEST_F(PosesInAFolder, comeBackExactly)
 {
   EstimatedPoses there = sample();
   for (const bool has_noise : {true, false}) {
-    if (has_noise)
+    if (has_noise) {
       there.up = Eigen::Vector3d(0, -0.1, 1.0 / 3);
+      there.verdict = VerdictOutcome::Contradicted;
+    }
     else {
       there.noise.reset();
       there.up.reset();
+      there.verdict.reset();
     }
     saveEstimatedPoses(folder_.path(""), there);
     const auto back = loadEstimatedPoses(folder_.path(""));
@@ -60,6 +63,7 @@ TEST_F(PosesInAFolder, comeBackExactly)
     for (std::size_t i = 0; i < there.places.size(); ++i)
       EXPECT_EQ(back->trajectory.poses[i].matrix(), there.trajectory.poses[i].matrix());
     EXPECT_EQ(back->up, there.up);
+    EXPECT_EQ(back->verdict, there.verdict);
     ASSERT_EQ(back->noise.has_value(), has_noise);
     if (has_noise) {
       EXPECT_EQ(back->noise->length, there.noise->length);
@@ -82,6 +86,8 @@ TEST_F(PosesInAFolder, thatAreMalformedAreRefused)
   EXPECT_THAT(fault(), HasSubstr("line 2, column 22: '1' is refused"));
   write("format: 1\nobservations: [0, 1, 2]\nodometry_noise: [1, 2, -3, 4]\n");
   EXPECT_THAT(fault(), HasSubstr("line 3, column 24: '-3' is refused"));
+  write("format: 2\nobservations: [0, 1, 2]\nverdict: perhaps\n");
+  EXPECT_THAT(fault(), HasSubstr("perhaps"));
   write("format: 1\nobservations: []\n");
   EXPECT_THAT(fault(), HasSubstr("observations"));
   write("format: 3\nobservations: [0, 1, 2]\n");

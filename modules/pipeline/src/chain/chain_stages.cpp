@@ -363,10 +363,8 @@ runPlanes(ChainState& state,
                   state.planes.planes);
   state.report.planes = planes.getReport();
   addRemarks(state.stage, state.report.planes.remarks);
-  state.sightings = collectSightings(state.cloud.rows,
-                                     state.planes.labels,
-                                     state.planes.planes,
-                                     knownSensors(state));
+  state.sightings = collectSightings(
+      state.cloud.rows, state.planes.labels, state.planes.planes, knownSensors(state));
   timer.finish("planes");
 }
 

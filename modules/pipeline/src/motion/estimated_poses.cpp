@@ -97,7 +97,8 @@ loadEstimatedPoses(const std::string& folder)
     return std::nullopt;
   const acmap::YamlNode document = acmap::loadYaml(path);
   acmap::requireFormat(document, acmap::file_formats::poses);
-  document.requireKeys({"format", "made_of", "odometry_noise", "up", "verdict", "observations"});
+  document.requireKeys(
+      {"format", "made_of", "odometry_noise", "up", "verdict", "observations"});
   EstimatedPoses poses;
   constexpr std::size_t maximum = 10000000;
   std::size_t next = 0;

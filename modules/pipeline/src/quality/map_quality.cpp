@@ -36,8 +36,7 @@ void
 adviseOnSharpness(Figure& figure)
 {
   figure.advice =
-      std::isnan(figure.value)
-          ? "No plane was seen often enough to tell."
+      std::isnan(figure.value) ? "No plane was seen often enough to tell."
       : figure.isGood()
           ? "Nothing to do."
           : "Move slower, turn by at most 30 degrees between two observations, and "
@@ -48,11 +47,12 @@ adviseOnSharpness(Figure& figure)
 void
 adviseOnCoverage(Figure& figure)
 {
-  figure.advice = std::isnan(figure.value)
-                      ? "No room was found: record a floor with the walls around it."
-                  : figure.isGood()
-                      ? "Nothing to do; what is hatched was not seen."
-                      : "Look from the proposed positions, and extend the map (--extend).";
+  figure.advice =
+      std::isnan(figure.value)
+          ? "No room was found: record a floor with the walls around it."
+      : figure.isGood()
+          ? "Nothing to do; what is hatched was not seen."
+          : "Look from the proposed positions, and extend the map (--extend).";
 }
 
 void
@@ -61,17 +61,17 @@ adviseOnRays(Figure& figure)
   figure.advice =
       std::isnan(figure.value)
           ? "It is not known from where the points were seen; --sensor-at states it."
-      : figure.isGood()
-          ? "Nothing to do."
-          : "Rays pass through surfaces: a place was mapped twice, something moved, or a "
-            "mirror or glass was seen. Record again while nothing moves, and cover glass.";
+      : figure.isGood() ? "Nothing to do."
+                        : "Rays pass through surfaces: a place was mapped twice, "
+                          "something moved, or a "
+                          "mirror or glass was seen. Record again while nothing moves, "
+                          "and cover glass.";
 }
 
 void
 adviseOnOverlap(Figure& figure, std::size_t weakest)
 {
-  figure.advice = std::isnan(figure.value)
-                      ? "One cloud has no overlap to tell."
+  figure.advice = std::isnan(figure.value) ? "One cloud has no overlap to tell."
                   : figure.isGood()
                       ? "Nothing to do."
                       : "Observation " + std::to_string(weakest) +
@@ -83,8 +83,8 @@ adviseOnOverlap(Figure& figure, std::size_t weakest)
 bool
 isProved(const MapQualityReport& report)
 {
-  return report.sharpness.isGood() && report.coverage.isGood() && report.rays.isGood() &&
-         (report.observations < 2 || report.overlap.isGood());
+  return report.sharpness.isGood() && report.coverage.isGood() &&
+         report.rays.isGood() && (report.observations < 2 || report.overlap.isGood());
 }
 
 MapQualityOutcome
@@ -118,29 +118,34 @@ sentenceOf(const MapQualityReport& report)
                &rays = report.rays, &overlap = report.overlap;
   switch (report.outcome) {
   case MapQualityOutcome::Good:
-    return "surfaces are sharp to " + millimetres(sharpness.value) + ", " +
-           percent(coverage.value) +
+    return (report.observations > 1 ? "observations agree to "
+                                    : "surfaces are even to ") +
+           millimetres(sharpness.value) + ", " + percent(coverage.value) +
            " of floor, ceiling and walls was seen, and nothing contradicts the map; "
            "lengths are as true as the scale of the sensor.";
   case MapQualityOutcome::NotUsable:
     if (report.verdict == VerdictOutcome::Contradicted)
       return "the observations contradict the poses.";
     if (sharpness.isBad())
-      return "surfaces are " + millimetres(sharpness.value) +
-             " thick: observations do not lie on each other.";
+      return report.observations > 1
+                 ? "observations of the same place are " +
+                       millimetres(sharpness.value) + " apart."
+                 : "surfaces are " + millimetres(sharpness.value) + " uneven.";
     return percent(1 - rays.value) + " of the rays pass through surfaces of the map.";
   case MapQualityOutcome::Undetermined:
-    return std::isnan(sharpness.value)
-               ? "no surface was seen well enough to judge the map."
-               : "observation " + std::to_string(report.weakest_observation) +
-                     " hardly overlaps the others, so nothing proves where it was.";
+    return report.observations > 1 && overlap.isBad()
+               ? "observation " + std::to_string(report.weakest_observation) +
+                     " hardly overlaps the others, so nothing proves where it was."
+               : "no surface was seen well enough to judge the map.";
   case MapQualityOutcome::Usable:
     break;
   }
   std::vector<std::string> reasons;
   if (!sharpness.isGood())
-    reasons.push_back("surfaces are " + millimetres(sharpness.value) +
-                      (report.observations > 1 ? " thick" : " uneven"));
+    reasons.push_back(report.observations > 1
+                          ? "observations are " + millimetres(sharpness.value) +
+                                " apart"
+                          : "surfaces are " + millimetres(sharpness.value) + " uneven");
   if (std::isnan(coverage.value))
     reasons.emplace_back("no room is enclosed");
   else if (!coverage.isGood())
@@ -170,13 +175,12 @@ assessMapQuality(const CompactMap& map,
   report.seen_area = unseen.seen_area;
   report.unseen_area = unseen.unseen_area;
   report.roughness = acmap::roughnessOf(sightings);
-  // errors of poses that bend a building by 2 cm part neighbouring observations by 2 mm; walls
-  // that one sensor saw are that uneven anyway
-  const bool has_poses = sightings.observations > 1;
-  report.sharpness = {acmap::sharpnessOf(map, report.roughness),
-                      has_poses ? 0.002 : 0.008,
-                      has_poses ? 0.015 : 0.03,
-                      ""};
+  // Errors of poses that bend a building by 2 cm part neighbouring observations by 2 mm; walls that
+  // one sensor saw are more uneven than that.
+  report.sharpness =
+      sightings.observations > 1
+          ? Figure{acmap::disagreementOf(map, sightings), 0.0018, 0.02, ""}
+          : Figure{acmap::unevennessOf(map, report.roughness), 0.008, 0.03, ""};
   report.coverage = {unseen.seenShare(), 0.6, 0.25, ""};
   report.rays = {acmap::rayAgreement(map, sightings), 0.98, 0.9, ""};
   const acmap::WeakestOverlap weakest = acmap::weakestOverlap(sightings);
@@ -194,7 +198,8 @@ assessMapQuality(const CompactMap& map,
 std::string
 describeQuality(const MapQualityReport& report)
 {
-  return acmap::nameIn(acmap::map_quality_names, report.outcome) + (": " + report.sentence);
+  return acmap::nameIn(acmap::map_quality_names, report.outcome) +
+         (": " + report.sentence);
 }
 
 } // namespace pcl

@@ -2,6 +2,7 @@
 
 #include "quality/plan_places.h"
 #include "quality/position_words.h"
+#include "quality/presumed_surfaces.h"
 #include "quality/seen_faces.h"
 
 #include <pcl/core/impl/arguments.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace pcl {
@@ -43,7 +45,8 @@ viewsOf(const FloorPlan& plan)
   for (int yaw = 0; yaw < yaws; ++yaw)
     for (const double pitch : pitches) {
       const double angle = 2 * pi * yaw / yaws;
-      const Vector3d level = std::cos(angle) * plan.x_axis + std::sin(angle) * plan.y_axis;
+      const Vector3d level =
+          std::cos(angle) * plan.x_axis + std::sin(angle) * plan.y_axis;
       View view;
       view.ahead = std::cos(pitch) * level + std::sin(pitch) * plan.up;
       view.right = level.cross(plan.up);
@@ -53,19 +56,38 @@ viewsOf(const FloorPlan& plan)
   return views;
 }
 
-/** \brief The places on the free floor of the rooms. */
-std::vector<Stand>
-standsOn(const FloorPlan& plan, double eye_height)
+std::size_t
+nearestRoom(const FloorPlan& plan, const Vector2d& place)
 {
+  std::size_t nearest = 0;
+  double distance = std::numeric_limits<double>::infinity();
+  for (std::size_t room = 0; room < plan.rooms.size(); ++room) {
+    const std::vector<Vector2d>& outline = plan.rooms[room].outline;
+    const double its =
+        acmap::isInLoop(outline, place) ? 0 : acmap::distanceToLoop(outline, place);
+    if (its < distance) {
+      nearest = room;
+      distance = its;
+    }
+  }
+  return nearest;
+}
+
+/** \brief The places on the free floor of the rooms, and those of the sensor. */
+std::vector<Stand>
+standsOn(const CompactMap& map, const FloorPlan& plan, double eye_height)
+{
+  if (plan.rooms.empty())
+    return {};
   constexpr double finest = 0.5, from_walls = 0.35, from_furniture = 0.2; // metres
-  constexpr double max_stands = 300;
+  constexpr std::size_t max_stands = 300;
   double area = 0;
   for (const PlanRoom& room : plan.rooms)
     area += room.area;
-  const double step = std::max(finest, std::sqrt(area / max_stands));
+  const double step =
+      std::max(finest, std::sqrt(area / static_cast<double>(max_stands)));
   const auto isFree = [&](const PlanRoom& room, const Vector2d& place) {
     return acmap::isInLoop(room.outline, place) &&
-           acmap::distanceToLoop(room.outline, place) >= from_walls &&
            std::none_of(plan.furniture.begin(),
                         plan.furniture.end(),
                         [&](const PlanFurniture& one) {
@@ -73,15 +95,24 @@ standsOn(const FloorPlan& plan, double eye_height)
                                  acmap::distanceToLoop(one.outline, place) <
                                      from_furniture;
                         }) &&
+           std::none_of(plan.columns.begin(),
+                        plan.columns.end(),
+                        [&](const PlanColumn& one) {
+                          return (place - one.center).norm() <
+                                 one.radius + from_furniture;
+                        }) &&
            std::none_of(
-               plan.columns.begin(), plan.columns.end(), [&](const PlanColumn& one) {
-                 return (place - one.center).norm() < one.radius + from_furniture;
-               }) &&
-           std::none_of(plan.walls.begin(), plan.walls.end(), [&](const PlanWall& wall) {
-             return acmap::distanceToSegment(wall.from, wall.to, place) < from_walls;
-           });
+               plan.walls.begin(), plan.walls.end(), [&](const PlanWall& wall) {
+                 return acmap::distanceToSegment(wall.from, wall.to, place) <
+                        from_walls;
+               });
   };
   std::vector<Stand> stands;
+  const auto isNew = [&](const Vector3d& eye) {
+    return std::none_of(stands.begin(), stands.end(), [&](const Stand& stand) {
+      return (stand.eye - eye).norm() < step / 2;
+    });
+  };
   for (std::size_t number = 0; number < plan.rooms.size(); ++number) {
     const PlanRoom& room = plan.rooms[number];
     Eigen::AlignedBox2d box;
@@ -94,14 +125,26 @@ standsOn(const FloorPlan& plan, double eye_height)
         if (isFree(room, {x, y}))
           stands.push_back({acmap::pointOfPlan(plan, {x, y}, eye_height), number});
   }
+  // somebody was there, even if nobody saw the floor
+  for (const Eigen::Isometry3d& pose : map.trajectory.poses) {
+    const Vector2d place = acmap::flatOf(plan, pose.translation());
+    const Vector3d eye = acmap::pointOfPlan(plan, place, eye_height);
+    if (stands.size() < 2 * max_stands && isNew(eye))
+      stands.push_back({eye, nearestRoom(plan, place)});
+  }
   return stands;
 }
 
 /** \brief Finds which patches views show. */
 class PatchVisibility {
 public:
-  PatchVisibility(const CompactMap& map, const std::vector<UnseenPatch>& patches)
+  PatchVisibility(const CompactMap& map,
+                  const FloorPlan& plan,
+                  const std::vector<acmap::PresumedWall>& walls,
+                  const std::vector<UnseenPatch>& patches)
   : patches_(patches)
+  , plan_(plan)
+  , walls_(walls)
   {
     constexpr double min_area = 0.1; // square metres
     for (const PlanePatch& plane : map.planes)
@@ -130,7 +173,10 @@ public:
       const double length = ray.norm();
       if (length >= nearest && length <= reach / min_cosine &&
           -ray.dot(patches_[patch].normal) >= min_cosine * length &&
-          !isHidden(eye, patch, before))
+          !isHidden(eye, patch, before) && !isBehindColumn(eye, patch) &&
+          !acmap::isBehindPresumed(walls_,
+                                   acmap::flatOf(plan_, eye),
+                                   acmap::flatOf(plan_, patches_[patch].center)))
         seen.push_back(patch);
     }
     return seen;
@@ -138,7 +184,9 @@ public:
 
 private:
   bool
-  isHidden(const Vector3d& eye, std::size_t patch, const std::vector<float>& before) const
+  isHidden(const Vector3d& eye,
+           std::size_t patch,
+           const std::vector<float>& before) const
   {
     constexpr float margin = 0.1F; // metres
     for (std::size_t face = 0; face < faces_.size(); ++face) {
@@ -153,7 +201,21 @@ private:
     return false;
   }
 
+  /** \brief Columns reach from floor to ceiling. */
+  bool
+  isBehindColumn(const Vector3d& eye, std::size_t patch) const
+  {
+    const Vector2d from = acmap::flatOf(plan_, eye),
+                   to = acmap::flatOf(plan_, patches_[patch].center);
+    return std::any_of(
+        plan_.columns.begin(), plan_.columns.end(), [&](const PlanColumn& column) {
+          return acmap::distanceToSegment(from, to, column.center) < column.radius;
+        });
+  }
+
   const std::vector<UnseenPatch>& patches_;
+  const FloorPlan& plan_;
+  const std::vector<acmap::PresumedWall>& walls_;
   std::vector<acmap::SeenFace> faces_;
   Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> distances_;
 };
@@ -216,11 +278,12 @@ NextPositions::compute(const CompactMap& map,
   report_ = NextPositionsReport();
   acmap::StepTimer timer(report_);
   report_.unseen_area = unseen.unseen_area;
-  const std::vector<UnseenPatch> patches = thinned(unseen.patches);
-  const std::vector<Stand> stands = standsOn(plan, eye_height_);
+  const acmap::PresumedSurfaces presumed = acmap::presumedSurfaces(plan, unseen);
+  const std::vector<UnseenPatch> patches = thinned(presumed.patches);
+  const std::vector<Stand> stands = standsOn(map, plan, eye_height_);
   const std::vector<View> views = viewsOf(plan);
   report_.candidates = stands.size();
-  const PatchVisibility visibility(map, patches);
+  const PatchVisibility visibility(map, plan, presumed.walls, patches);
   std::vector<std::vector<std::size_t>> seen(stands.size());
   const acmap::Progress progress(progress_);
   progress.tell(0, "looking from candidates");

@@ -53,8 +53,8 @@ distanceToLoop(const std::vector<Eigen::Vector2d>& loop, const Eigen::Vector2d& 
 {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < loop.size(); ++k)
-    nearest = std::min(
-        nearest, distanceToSegment(loop[k], loop[(k + 1) % loop.size()], place));
+    nearest = std::min(nearest,
+                       distanceToSegment(loop[k], loop[(k + 1) % loop.size()], place));
   return nearest;
 }
 

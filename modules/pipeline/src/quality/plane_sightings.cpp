@@ -113,8 +113,7 @@ collectSightings(const CloudRows& cloud,
       return static_cast<std::int32_t>(std::floor(
           std::clamp(arm.dot(axis) / PlaneSightings::cell_size, -farthest, farthest)));
     };
-    const double distance =
-        plane.coefficients.dot(point.cast<double>().homogeneous());
+    const double distance = plane.coefficients.dot(point.cast<double>().homogeneous());
     DistanceSums& one = sums[static_cast<std::size_t>(labels[i])]
                             [{cellOf(plane.axis_u), cellOf(plane.axis_v), view}];
     ++one.points;

@@ -63,9 +63,9 @@ std::string
 sideText(double left)
 {
   constexpr double min_side = 0.4; // metres
-  return std::abs(left) < min_side
-             ? ""
-             : ", " + metres(std::abs(left)) + " to the " + (left > 0 ? "left" : "right");
+  return std::abs(left) < min_side ? ""
+                                   : ", " + metres(std::abs(left)) + " to the " +
+                                         (left > 0 ? "left" : "right");
 }
 
 /** \brief "Behind the furniture, 1.2 m to the left": as seen from where people stood. */
@@ -106,7 +106,8 @@ fromWall(const NextPosition& position, const CompactMap& map, const FloorPlan& p
   const PlanWall* nearest = nullptr;
   double distance = std::numeric_limits<double>::infinity();
   for (const PlanWall& wall : plan.walls)
-    if (const double its = distanceToSegment(wall.from, wall.to, place); its < distance) {
+    if (const double its = distanceToSegment(wall.from, wall.to, place);
+        its < distance) {
       nearest = &wall;
       distance = its;
     }
@@ -154,8 +155,7 @@ lookText(const Eigen::Vector3d& looked_at,
   double distance = near;
   for (std::size_t plane = 0; plane < map.planes.size(); ++plane)
     if (const PlanePatch& one = map.planes[plane]; one.label.role == SurfaceRole::Wall)
-      if (const double its =
-              std::abs(one.coefficients.dot(looked_at.homogeneous()));
+      if (const double its = std::abs(one.coefficients.dot(looked_at.homogeneous()));
           its < distance) {
         wall = plane;
         distance = its;
@@ -177,8 +177,9 @@ wordsOf(const NextPosition& position,
   const Vector2d place = flatOf(plan, position.eye);
   const std::string furniture =
       besideFurniture(place, usualPlace(map, plan, position.room), plan);
-  std::string words = furniture.empty() ? "In " + roomName(map, position.room)
-                                        : furniture + " in " + roomName(map, position.room);
+  std::string words = furniture.empty()
+                          ? "In " + roomName(map, position.room)
+                          : furniture + " in " + roomName(map, position.room);
   const std::string opening = fromOpening(place, map, plan);
   if (furniture.empty())
     words += opening.empty() ? fromWall(position, map, plan) : opening;

@@ -98,7 +98,8 @@ struct SharedCells {
       }
   }
 
-  std::vector<std::vector<std::pair<std::size_t, double>>> members; ///< and their points
+  std::vector<std::vector<std::pair<std::size_t, double>>>
+      members; ///< and their points
   std::vector<std::vector<std::size_t>> of_view;
   std::vector<double> points; ///< of each observation, on planes
 };
@@ -126,7 +127,7 @@ roughnessOf(const PlaneSightings& sightings)
 }
 
 double
-sharpnessOf(const CompactMap& map, const std::vector<double>& roughness)
+unevennessOf(const CompactMap& map, const std::vector<double>& roughness)
 {
   double sum = 0, area = 0;
   for (const std::size_t plane : judgedPlanes(map))
@@ -135,6 +136,38 @@ sharpnessOf(const CompactMap& map, const std::vector<double>& roughness)
       area += map.planes[plane].area;
     }
   return area > 0 ? std::sqrt(sum / area) : std::numeric_limits<double>::quiet_NaN();
+}
+
+double
+disagreementOf(const CompactMap& map, const PlaneSightings& sightings)
+{
+  double sum = 0, weights = 0;
+  for (const std::size_t plane : judgedPlanes(map)) {
+    if (plane >= sightings.planes.size())
+      continue;
+    const std::vector<PlaneSighting>& all = sightings.planes[plane];
+    for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+      std::vector<double> offsets;
+      double noise = 0;
+      for (end = begin; end < all.size() && all[end].cell == all[begin].cell; ++end)
+        if (all[end].points >= min_points) {
+          offsets.push_back(all[end].offset);
+          noise += all[end].spread * all[end].spread / all[end].points;
+        }
+      if (offsets.size() < 2)
+        continue;
+      const auto number = static_cast<double>(offsets.size());
+      double mean = 0, squares = 0;
+      for (const double offset : offsets)
+        mean += offset / number;
+      for (const double offset : offsets)
+        squares += (offset - mean) * (offset - mean);
+      sum += squares - (number - 1) / number * noise;
+      weights += number - 1;
+    }
+  }
+  return weights > 0 ? std::sqrt(std::max(0.0, sum / weights))
+                     : std::numeric_limits<double>::quiet_NaN();
 }
 
 double
@@ -176,11 +209,12 @@ weakestOverlap(const PlaneSightings& sightings)
         for (const auto& [other, points] : cells.members[cell])
           shared[other] += points;
   };
-  const auto shareOf = [&](std::size_t view) { return shared[view] / cells.points[view]; };
-  const auto first =
-      std::find_if(cells.points.begin(), cells.points.end(), [](double points) {
-        return points > 0;
-      });
+  const auto shareOf = [&](std::size_t view) {
+    return shared[view] / cells.points[view];
+  };
+  const auto first = std::find_if(cells.points.begin(),
+                                  cells.points.end(),
+                                  [](double points) { return points > 0; });
   if (first == cells.points.end())
     return weakest;
   join(static_cast<std::size_t>(first - cells.points.begin()));

@@ -17,7 +17,12 @@ roughnessOf(const PlaneSightings& sightings);
 /** \brief Root mean square of the roughness of floors, ceilings and walls, by area; of all planes in a
  * map without these. NaN: not known. */
 double
-sharpnessOf(const CompactMap& map, const std::vector<double>& roughness);
+unevennessOf(const CompactMap& map, const std::vector<double>& roughness);
+
+/** \brief How far the parts of the same planes that different observations saw in the same cells are from
+ * each other: standard deviation, metres; NaN: not known. */
+double
+disagreementOf(const CompactMap& map, const PlaneSightings& sightings);
 
 /** \brief Share of the rays that pass through no plane where it was seen; NaN without rays. */
 double

@@ -74,11 +74,18 @@ private:
   double
   patchSize() const
   {
-    double area = 0;
-    for (std::size_t room = 0; room < plan_.rooms.size(); ++room)
-      area += 2 * plan_.rooms[room].area +
-              *heights_[room] * lengthOf(plan_.rooms[room].outline);
-    return std::max(finest, std::sqrt(area / max_patches));
+    constexpr double max_squares = 4e6; // of the rectangles around the rooms
+    double area = 0, around = 0;
+    for (std::size_t room = 0; room < plan_.rooms.size(); ++room) {
+      const std::vector<Vector2d>& outline = plan_.rooms[room].outline;
+      area += 2 * plan_.rooms[room].area + *heights_[room] * lengthOf(outline);
+      Eigen::AlignedBox2d box;
+      for (const Vector2d& corner : outline)
+        box.extend(corner);
+      around += box.isEmpty() ? 0 : box.volume();
+    }
+    return std::max(
+        {finest, std::sqrt(area / max_patches), std::sqrt(around / max_squares)});
   }
 
   static double
@@ -96,12 +103,13 @@ private:
       const Vector3d& normal,
       double area,
       SurfaceRole role,
-      std::size_t room)
+      std::size_t room,
+      bool is_open = false)
   {
     (is_seen ? found_.seen_area : found_.unseen_area) += area;
     if (!is_seen)
       found_.patches.push_back(
-          {center, normal, area, role, static_cast<std::int32_t>(room)});
+          {center, normal, area, role, static_cast<std::int32_t>(room), is_open});
   }
 
   /** \brief Asks floor and ceiling of a room. */
@@ -128,7 +136,12 @@ private:
               SurfaceRole::Floor,
               room);
         const Vector3d above = acmap::pointOfPlan(plan_, place, height);
-        add(isCeilingSeen(above), above, -plan_.up, size * size, SurfaceRole::Ceiling, room);
+        add(isCeilingSeen(above),
+            above,
+            -plan_.up,
+            size * size,
+            SurfaceRole::Ceiling,
+            room);
       }
   }
 
@@ -144,9 +157,10 @@ private:
   bool
   isFloorSeen(const Vector2d& place) const
   {
-    return std::any_of(plan_.floors.begin(), plan_.floors.end(), [&](const auto& loops) {
-      return acmap::isInLoops(loops, place);
-    });
+    return std::any_of(
+        plan_.floors.begin(), plan_.floors.end(), [&](const auto& loops) {
+          return acmap::isInLoops(loops, place);
+        });
   }
 
   bool
@@ -206,6 +220,19 @@ private:
         });
   }
 
+  /** \brief Is neither a wall nor what stands for one near? */
+  bool
+  isOpen(const Vector2d& place) const
+  {
+    constexpr double near = 0.4; // metres
+    const auto isNear = [&](const auto& line) {
+      return acmap::distanceToSegment(line.from, line.to, place) < near;
+    };
+    return std::none_of(plan_.walls.begin(), plan_.walls.end(), isNear) &&
+           std::none_of(plan_.unseen_walls.begin(), plan_.unseen_walls.end(), isNear) &&
+           std::none_of(plan_.openings.begin(), plan_.openings.end(), isNear);
+  }
+
   void
   addWalls(std::size_t room)
   {
@@ -227,6 +254,7 @@ private:
         const Vector2d place = outline[k] + (column + 0.5) / columns * way;
         if (isAtColumn(place))
           continue;
+        const bool is_open = isOpen(place);
         for (int row = 0; row < rows; ++row) {
           const double at = (row + 0.5) / rows * height;
           if (isInOpening(place, at))
@@ -234,7 +262,7 @@ private:
           const Vector3d point = acmap::pointOfPlan(plan_, place, at);
           const bool is_seen = isWallSeen(point, inwards);
           if (is_seen || !isBehindFurniture(place, at))
-            add(is_seen, point, inwards, area, SurfaceRole::Wall, room);
+            add(is_seen, point, inwards, area, SurfaceRole::Wall, room, is_open);
         }
       }
     }

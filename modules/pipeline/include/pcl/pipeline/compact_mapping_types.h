@@ -77,9 +77,9 @@ struct CompactMappingReport : Report {
   MergingReport merging;
   PlaneMappingReport planes;
   TexturingReport texture;
-  std::optional<MapQualityReport> quality; ///< of a map with planes
+  std::optional<MapQualityReport> quality;           ///< of a map with planes
   std::optional<NextPositionsReport> next_positions; ///< the same
-  std::size_t ranks = 1;         ///< processes that made the map
+  std::size_t ranks = 1;                             ///< processes that made the map
   std::size_t rank_messages = 0; ///< that rank 0 has sent and received
   std::size_t rank_bytes = 0;    ///< of these messages
 };

@@ -19,9 +19,9 @@ namespace pcl {
 
 /** \brief May one measure in a map? \ingroup pipeline */
 enum class MapQualityOutcome {
-  Good,       ///< measure in it
-  Usable,     ///< right where it was seen well; a figure is not good
-  NotUsable,  ///< something in it is wrong
+  Good,        ///< measure in it
+  Usable,      ///< right where it was seen well; a figure is not good
+  NotUsable,   ///< something in it is wrong
   Undetermined ///< its own evidence is not enough to tell
 };
 
@@ -36,8 +36,8 @@ inline constexpr std::array<const char*, 4> map_quality_names{
 /** \brief One of the four figures by which a map is judged. \ingroup pipeline */
 struct QualityFigure {
   double value = std::numeric_limits<double>::quiet_NaN(); ///< NaN: not known
-  double good = 0; ///< from here on a map can be good
-  double bad = 0;  ///< from here on it is not good enough; see \ref MapQualityReport
+  double good = 0;    ///< from here on a map can be good
+  double bad = 0;     ///< from here on it is not good enough; see \ref MapQualityReport
   std::string advice; ///< what to do, one sentence
 
   bool
@@ -70,15 +70,20 @@ struct MapQualityReport : Report {
   std::string sentence; ///< why, in one sentence
   /** \brief On the poses; nothing without a rectification. */
   std::optional<VerdictOutcome> verdict;
-  QualityFigure sharpness; ///< metres: thickness of floors, ceilings and walls beyond noise
-  QualityFigure coverage;  ///< share of floor, ceiling and walls of the rooms that was seen
-  QualityFigure rays;      ///< share of the rays that pass through no surface of the map
+  /** \brief Metres, without noise: how far apart several observations see the same place of floors,
+   * ceilings and walls (standard deviation); of one observation how uneven these are. */
+  QualityFigure sharpness;
+  QualityFigure
+      coverage;       ///< share of floor, ceiling and walls of the rooms that was seen
+  QualityFigure rays; ///< share of the rays that pass through no surface of the map
   /** \brief Share of what an observation saw that the others saw, too, of the one that is joined
    * worst. */
   QualityFigure overlap;
   std::size_t observations = 0;
   std::size_t weakest_observation = 0; ///< index of the one with the least overlap
-  std::vector<double> roughness; ///< metres, of each plane: as sharpness; NaN: not known
+  /** \brief Metres, of each plane: how far what observations saw of its parts is from it, without
+   * noise; NaN: not known. */
+  std::vector<double> roughness;
   double seen_area = 0, unseen_area = 0; ///< square metres of floor, ceiling and walls
 };
 

@@ -23,7 +23,8 @@ struct NextPosition {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero(); ///< of the view, of length 1
   double uncovered = 0;   ///< square metres that the positions before it do not show
   std::int32_t room = -1; ///< index in the map
-  std::string words;      ///< "Behind the furniture in room 1, 1.2 m to the left; look at ..."
+  std::string
+      words; ///< "Behind the furniture in room 1, 1.2 m to the left; look at ..."
 };
 
 /** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
@@ -58,7 +59,9 @@ visitFields(const NextPositionsReport& report, Visitor&& visit)
 /** \brief Proposes from where to look next, so that as much as possible of what no observation
  * saw of the rooms is seen.
  *
- * Candidates are places on the free floor of the rooms, half a metre apart, at most 300, with views to
+ * Where a room ends without a wall, floor, ceiling and the walls beside the open end are presumed to go
+ * on for 4 m. Candidates are places on the free floor of the rooms, half a metre apart, at most 300, and
+ * those where the sensor was, with views to
  * twelve sides, level and 25 degrees up and down. What a view shows are the unseen patches in its field
  * that face it and that no plane of the map hides. The best one is taken, then the one that shows
  * most of the rest, and so on: what views uncover is submodular, so this uncovers at least 63 % of what the

@@ -38,7 +38,7 @@ struct PlaneSightings {
 
   /** \brief One list a plane, by cell and then by observation. */
   std::vector<std::vector<PlaneSighting>> planes;
-  std::vector<SampledRay> rays;  ///< none if the sensors are not known
+  std::vector<SampledRay> rays; ///< none if the sensors are not known
   std::size_t observations = 0; ///< 0: it is not known which one saw a point
 };
 

@@ -21,6 +21,9 @@ struct UnseenPatch {
   double area = 0;                                  ///< square metres
   SurfaceRole role = SurfaceRole::Other;            ///< Floor, Ceiling or Wall
   std::int32_t room = -1;                           ///< index in the plan
+
+  /** \brief No wall was seen at all where the room ends here: it may go on. */
+  bool is_open = false;
 };
 
 /** \brief What encloses the rooms of a map, and what of it no observation saw.
