@@ -175,11 +175,11 @@ assessMapQuality(const CompactMap& map,
   report.seen_area = unseen.seen_area;
   report.unseen_area = unseen.unseen_area;
   report.roughness = acmap::roughnessOf(sightings);
-  // Errors of poses that bend a building by 2 cm part neighbouring observations by 2 mm; walls that
+  // Errors of poses that bend a building by 2 cm part neighbouring observations by 1.5 mm; walls that
   // one sensor saw are more uneven than that.
   report.sharpness =
       sightings.observations > 1
-          ? Figure{acmap::disagreementOf(map, sightings), 0.0018, 0.02, ""}
+          ? Figure{acmap::disagreementOf(map, sightings), 0.0014, 0.02, ""}
           : Figure{acmap::unevennessOf(map, report.roughness), 0.008, 0.03, ""};
   report.coverage = {unseen.seenShare(), 0.6, 0.25, ""};
   report.rays = {acmap::rayAgreement(map, sightings), 0.98, 0.9, ""};
