@@ -87,6 +87,18 @@ TEST(Layers, AreThoseThereIsSomethingFor)
   EXPECT_TRUE(layersOf({}).empty());
 }
 
+TEST(Layers, AreCountedInTheTitle)
+{
+  LayeredScene scene = makeScene();
+  EXPECT_EQ(describeScene(scene), "400 points, 722 triangles, 6 planes, 11 poses");
+  scene.map.cylinders.resize(1);
+  scene.points.width = 1234567;
+  scene.points.height = 1;
+  EXPECT_EQ(describeScene(scene),
+            "1 234 567 points, 722 triangles, 6 planes, 1 cylinder, 11 poses");
+  EXPECT_EQ(describeScene({}), "");
+}
+
 TEST_F(LayersOfScene, EachDrawsSomethingOfItsOwn)
 {
   const auto is_blue = [](const ShownPicture::Pixel& p) { return p[2] > 2 * p[0]; };

@@ -32,7 +32,10 @@ TEST(LiveViewer, ShowsCloudImagesAndPlanUntilTheServerEnds)
   viewer.show(cloud);
   viewer.update();
   viewer.showPlan({});
-  viewer.showPlan({{{}, {}}, {{{0, 0}, {0, 9}, {2, 9}}, {255, 255, 255}}});
+  viewer.showPlan({{{}, {}},
+                   {{{0, 0}, {0, 9}, {2, 9}}, {200, 220, 240}, true},
+                   {{{0, 0}, {0, 9}, {2, 9}}, {20, 30, 40}}});
+  viewer.showStatus("12 observations, 31 m\u00b2, move slower");
   std::this_thread::sleep_for(std::chrono::milliseconds(150));
   viewer.update();
   EXPECT_FALSE(viewer.isClosed());

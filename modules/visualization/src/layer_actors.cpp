@@ -181,8 +181,7 @@ cameraOf(const LayeredScene& scene, const LayeredView& view)
   if (scene.map.trajectory.poses.empty())
     return placeCamera(all.points, meanNormal(all), view);
   auto samples = someOf(all.points);
-  const MapLine way = lineOf(scene.map.trajectory);
-  samples.insert(samples.end(), way.points.begin(), way.points.end());
+  addPlaces(scene.map.trajectory, samples);
   return placeMapCamera(
       scene.map, {}, samples, frameOf(scene.map, samples, view), view);
 }

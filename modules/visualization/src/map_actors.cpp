@@ -109,6 +109,16 @@ lineOf(const Trajectory& trajectory)
   return line;
 }
 
+void
+addPlaces(const Trajectory& trajectory, std::vector<Eigen::Vector3f>& points)
+{
+  constexpr std::size_t one_in = 20; // of the points
+  const MapLine way = lineOf(trajectory);
+  const std::size_t times = points.size() / one_in / (way.points.size() + 1) + 1;
+  for (std::size_t i = 0; i < times; ++i)
+    points.insert(points.end(), way.points.begin(), way.points.end());
+}
+
 Actors
 actorsOfTrajectory(const Trajectory& trajectory, double length)
 {

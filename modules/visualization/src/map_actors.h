@@ -43,6 +43,11 @@ actorOfLines(const std::vector<MapLine>& lines, const Color& color, double pixel
 MapLine
 lineOf(const Trajectory& trajectory);
 
+/** \brief Adds the places of the poses to points that a camera has to see, so often that
+ * none is left out as noise. */
+void
+addPlaces(const Trajectory& trajectory, std::vector<Eigen::Vector3f>& points);
+
 /** \brief A line through the poses, and at up to 50 of them the axes x (red), y (green)
  * and z (blue) of the camera.
  * \param[in] length of the axes, metres */

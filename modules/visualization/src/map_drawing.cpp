@@ -34,9 +34,8 @@ MapDrawing::MapDrawing(const CompactMap& map,
   samples_ = samplesOf(faces_);
   frame_ = frameOf(map, samples_, view);
   std::vector<Eigen::Vector3f> shown = samples_;
-  const MapLine way = lineOf(map.trajectory);
-  shown.insert(shown.end(), way.points.begin(), way.points.end());
   shown.insert(shown.end(), others.begin(), others.end());
+  addPlaces(map.trajectory, shown);
   camera_ = placeMapCamera(map, faces_, shown, frame_, view);
 }
 
