@@ -23,7 +23,7 @@ picture() {
   from=$(in_map "$4" "$5" "$6") look=$(in_map "$7" "$8" "$9")
   shift 9
   xvfb-run -a -s "-screen 0 1280x960x24" "$bin/pcl_compact_viewer" "$mesh" --quiet "$@" \
-    --screenshot "$pictures/$name.png" --size "$size" --from $from --look $look --up 0 -1 0
+    --screenshot "$pictures/$name.png" --size "$size" --from $from --look $look --up 0,-1,0
 }
 
 # mesh CLOUD NAME [OPTION...]

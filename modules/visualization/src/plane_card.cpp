@@ -57,7 +57,7 @@ planeCard(const CompactMap& map, std::size_t number)
   const Eigen::Vector4d& c = plane.coefficients;
   std::string support = format("%zu points", plane.support);
   if (plane.effective_support > 0 && std::isfinite(plane.effective_support))
-    support += format(", %.4g of them independent", plane.effective_support);
+    support += format(", %.0f of them independent", plane.effective_support);
   return sentence + format("\nplane %zu\n", number) +
          format(
              "equation   %.5f x %+.5f y %+.5f z %+.4f = 0\n", c[0], c[1], c[2], c[3]) +

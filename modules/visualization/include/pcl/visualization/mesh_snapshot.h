@@ -29,7 +29,7 @@ struct SceneView {
    * was observed by one sensor, else -y or z, whichever has the smaller extent. */
   std::optional<Eigen::Vector3f> up;
 
-  /** \brief Pose of the sensor (x right, y down, z forward): a scene in front of it is
+  /** \brief Pose of the sensor (x right, y down, z forward): a scene on one side of it is
    * seen from beside it. No position: the sensor is not known. */
   std::optional<Eigen::Vector3f> sensor_origin = Eigen::Vector3f::Zero();
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
@@ -37,8 +37,7 @@ struct SceneView {
   /** \brief Draws boundary edges (edges with one triangle) as thin lines. */
   bool show_boundary = false;
 
-  /** \brief Draws the edges of all triangles of a mesh as thin lines; supported for
-   * pictures of a mesh, not for layers. */
+  /** \brief Draws the edges of all triangles of a mesh as thin lines. */
   bool show_edges = false;
 
   /** \brief Leaves out back faces, so that one can see into rooms through their
@@ -53,7 +52,7 @@ struct SceneView {
  * PNG file.
  *
  * Colours are those of the cloud (`rgb`, `rgba`). Without colours a mesh is grey, and
- * points are darker with increasing distance. Back faces have a different tint. The
+ * points are blue; edges in the depth of points are dark. Back faces have a different tint. The
  * picture is fitted to the 2 % to 98 % quantiles of the points, so that outliers do
  * not shrink the scene. Needs an X server (environment variable DISPLAY), which may be
  * virtual: `xvfb-run -a`. The file is written beside its target and renamed into
