@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
@@ -376,6 +377,29 @@ TEST_F(MeasuringInAWindow, PointsSnapToCorners)
   EXPECT_EQ(measure(measuring, low, high), "2.000 m (upright)");
   EXPECT_EQ(measure(measuring, high, pixelOf({2, 1.2, 2})),
             "2.236 m (level 1.000 m, upright 2.000 m)");
+}
+
+/** A turn or a click on the panel picks nothing. */
+TEST_F(MeasuringInAWindow, ClicksInTheWindowMeasure)
+{
+  open();
+  press('m');
+  const auto click = [&](std::array<int, 2> down, std::array<int, 2> up) {
+    interactor_->SetEventInformation(down[0], down[1], 0, 0, 0);
+    interactor_->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+    interactor_->SetEventInformation(up[0], up[1], 0, 0, 0);
+    interactor_->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
+  };
+  const int props = stage_->renderer()->GetViewProps()->GetNumberOfItems();
+  const auto low = pixelOf({1, 1.2, 2}), high = pixelOf({1, -0.8, 2});
+  click({60, view_.height - 30}, {60, view_.height - 30});
+  click({250, 60}, {250, 90});
+  click(low, low);
+  EXPECT_EQ(stage_->renderer()->GetViewProps()->GetNumberOfItems(), props + 1)
+      << "of the layer that the panel showed";
+  click(high, high);
+  EXPECT_EQ(stage_->renderer()->GetViewProps()->GetNumberOfItems(), props + 3)
+      << "the line and its length";
 }
 
 TEST_F(MeasuringInAWindow, PlanesAreMeasuredIfTheyAreParallel)

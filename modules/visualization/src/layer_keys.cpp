@@ -167,10 +167,11 @@ void
 LayerKeys::OnLeftButtonDown()
 {
   const int* const place = Interactor->GetEventPosition();
-  pressed_ = {place[0], place[1]};
+  pressed_.reset();
   if (Interactor->GetShiftKey())
     showCard();
-  else if (!clickPanel()) {
+  else if (!clickPanel(place[0], place[1])) {
+    pressed_ = {place[0], place[1]};
     stage_->standUpright();
     vtkInteractorStyleTerrain::OnLeftButtonDown();
   }
@@ -182,9 +183,9 @@ LayerKeys::OnLeftButtonUp()
   constexpr int still = 3; // pixels: a click, not a turn
   vtkInteractorStyleTerrain::OnLeftButtonUp();
   const int* const place = Interactor->GetEventPosition();
-  if (measuring_->between() == Measuring::Between::Nothing ||
-      std::abs(place[0] - pressed_[0]) > still ||
-      std::abs(place[1] - pressed_[1]) > still)
+  if (measuring_->between() == Measuring::Between::Nothing || !pressed_ ||
+      std::abs(place[0] - (*pressed_)[0]) > still ||
+      std::abs(place[1] - (*pressed_)[1]) > still)
     return;
   measuring_->pick(place[0], place[1]);
   caption(measuring_->told());
@@ -242,7 +243,8 @@ LayerKeys::advanceSlide()
     stage_->slide(slide_->to_before ? 1 - smooth : smooth);
   else {
     slide_.reset();
-    stopTimer();
+    if (!replay_->isRunning())
+      stopTimer();
     stage_->endSlide();
   }
   Interactor->Render();
@@ -368,13 +370,13 @@ LayerKeys::measureNext()
 }
 
 bool
-LayerKeys::clickPanel()
+LayerKeys::clickPanel(int column, int row)
 {
-  const auto row = overlay_->rowAt(pressed_[0], pressed_[1]);
-  if (!row)
+  const auto entry = overlay_->rowAt(column, row);
+  if (!entry)
     return false;
   const std::set<SceneLayer> layers = layersOf(*scene_);
-  attempt([&] { toggle(*std::next(layers.begin(), static_cast<long>(*row))); });
+  attempt([&] { toggle(*std::next(layers.begin(), static_cast<long>(*entry))); });
   return true;
 }
 

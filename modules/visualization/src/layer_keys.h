@@ -89,9 +89,9 @@ private:
   void
   measureNext();
 
-  /** \brief Is there a row of the panel under the mouse? Then toggles its layer. */
+  /** \brief Is an entry of the panel at a pixel? Then toggles its layer. */
   bool
-  clickPanel();
+  clickPanel(int column, int row);
 
   void
   showRows();
@@ -119,7 +119,7 @@ private:
   std::optional<Replay> replay_;
   std::optional<Measuring> measuring_;
   int timer_ = 0;
-  std::array<int, 2> pressed_{}; ///< where the left button went down, pixels
+  std::optional<std::array<int, 2>> pressed_; ///< where a turn or a click began, pixels
 
   struct Slide {
     double time = 0; ///< seconds
