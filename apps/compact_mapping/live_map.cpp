@@ -207,7 +207,7 @@ LiveMap::finish(const PicturesApart& pictures,
   if (!ended_by_.empty())
     log.details["ended_by"] = ended_by_;
   log.details["seconds_after_last_shot"] = after;
-  log.tell("map",
+  log.tell("finished",
            shortNumber(after) + " s after the last shot" +
                (is_drawn ? ", with pictures" : ""));
   return names;
