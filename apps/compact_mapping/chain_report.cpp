@@ -66,7 +66,7 @@ constexpr std::string_view always_told[] = {
     "read",         "columns",  "coordinates", "layout", "intrinsics", "depth scale",
     "median depth", "left out", "matched",     "up",     "sensor",     "noise",
     "posed",        "joined",   "rectified",   "kept",   "refused",    "verdict",
-    "error left",   "recorded", "tilted"};
+    "error left",   "recorded", "finished",    "ranks",  "tilted"};
 
 /** \brief Is a line of a step's summary told? The folders belong to the chain, and there is one
  * line for the seconds of all steps. */
