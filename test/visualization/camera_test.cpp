@@ -100,10 +100,30 @@ TEST(Camera, FollowsTheSensorsPose)
 TEST(Camera, SeesAnObjectFromTheSideItLooksTo)
 {
   const Points points = makeBox({0, 0, 0}, {1, 1, 0.5});
-  const Camera camera = placeCamera(points, Vector3d::UnitX(), {});
+  const Camera camera = placeCamera(points, 0.5 * Vector3d::UnitX(), {});
   EXPECT_GT(camera.position.x(), 0.5);
   EXPECT_GT(camera.position.z(), 0.3) << "from above";
   EXPECT_GT(camera.up.z(), 0.5);
+  const Camera before = placeCamera(points, Vector3d::UnitX(), {});
+  EXPECT_GT(before.position.x(), camera.position.x()) << "as one view was taken";
+  EXPECT_LT(before.position.z(), camera.position.z());
+  EXPECT_GT(before.position.z(), 0.1);
+}
+
+TEST(Camera, LooksAcrossTheLongerSideFromTheOrigin)
+{
+  SceneView view;
+  view.sensor_origin.reset();
+  view.up = Eigen::Vector3f::UnitZ();
+  for (const float side : {-6.F, 6.F}) {
+    const Camera camera =
+        placeCamera(makeBox({0, side, 5}, {20, 1, 12}), Vector3d::Zero(), view);
+    const Vector3d ahead = (camera.focus - camera.position).normalized();
+    EXPECT_GT(ahead.y() * side, std::abs(ahead.x() * side)) << "away from the origin";
+    EXPECT_LT(ahead.z(), 0) << "downwards";
+    EXPECT_EQ(camera.vertical, Vector3d(Vector3d::UnitZ()));
+    EXPECT_GT(camera.up.z(), 0.8) << "what stands is upright";
+  }
 }
 
 TEST(Camera, GoesWhereItIsTold)
