@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 /** \brief A field of an object; null if there is none. */
 const Json&
-fieldOf(const Json& json, const char* name)
+entryOf(const Json& json, const char* name)
 {
   static const Json nothing;
   return json.is_object() && json.contains(name) ? json.at(name) : nothing;
@@ -46,7 +46,7 @@ areFinite(const std::vector<double>& numbers, std::size_t count)
 }
 
 std::string
-printed(const char* format, double value)
+formatted(const char* format, double value)
 {
   std::array<char, 400> text{};
   std::snprintf(text.data(), text.size(), format, value);
@@ -57,7 +57,7 @@ printed(const char* format, double value)
 std::string
 at(double value)
 {
-  std::string text = printed("%.2f", value);
+  std::string text = formatted("%.2f", value);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.')
     text.pop_back();
@@ -70,7 +70,7 @@ struct FigureText {
   const char* key;
   const char* name;
   const char* meaning;
-  double factor; ///< of the printed value
+  double factor; ///< of the formatted value
   const char *format, *limit_format;
 };
 
@@ -119,8 +119,8 @@ scaleOf(double value, double good, double bad, const FigureText& text)
            words + "</text>";
   };
   label(0, "start", "bad");
-  label(zone, "middle", printed(text.limit_format, text.factor * bad));
-  label(2 * zone, "middle", printed(text.limit_format, text.factor * good));
+  label(zone, "middle", formatted(text.limit_format, text.factor * bad));
+  label(2 * zone, "middle", formatted(text.limit_format, text.factor * good));
   label(width, "end", "good");
   if (std::isfinite(value)) {
     const double x =
@@ -160,7 +160,7 @@ colorOf(double roughness)
   std::string color = "rgb(";
   for (std::size_t k = 0; k < 3; ++k)
     color +=
-        printed("%.0f", (1 - part) * stops[first][k] + part * stops[first + 1][k]) +
+        formatted("%.0f", (1 - part) * stops[first][k] + part * stops[first + 1][k]) +
         (k < 2 ? "," : ")");
   return color;
 }
@@ -212,7 +212,7 @@ private:
   listOf(const char* name) const
   {
     static const Json nothing = Json::array();
-    const Json& list = fieldOf(plan_, name);
+    const Json& list = entryOf(plan_, name);
     return list.is_array() ? list : nothing;
   }
 
@@ -263,7 +263,7 @@ private:
   void
   addUnseen(const char* role, const char* fill, bool is_upright)
   {
-    const Json& size = fieldOf(plan_, "patch_size");
+    const Json& size = entryOf(plan_, "patch_size");
     double side = size.is_number() ? std::clamp(size.get<double>(), 0.0, 100.0) : 0;
     if (is_upright) // walls are lines in a plan
       side = std::max(side, 2 * unit_);
@@ -292,8 +292,8 @@ private:
       svg_ += "<path d=\"M" + place((*line)[0], (*line)[1]) + "L" +
               place((*line)[2], (*line)[3]) + "\" stroke=\"" + colorOf(roughness) +
               "\" stroke-width=\"" + at(1.1 * unit_) + "\"><title>plane " +
-              printed("%.0f", plane) +
-              (std::isfinite(roughness) ? ": " + printed("%.1f mm", 1000 * roughness)
+              formatted("%.0f", plane) +
+              (std::isfinite(roughness) ? ": " + formatted("%.1f mm", 1000 * roughness)
                                         : "") +
               "</title></path>";
     }
@@ -303,7 +303,7 @@ private:
   std::optional<std::pair<double, double>>
   flat(const Json& vector) const
   {
-    const Json& axes = fieldOf(plan_, "axes");
+    const Json& axes = entryOf(plan_, "axes");
     const auto numbers = numbersOf(vector, 3);
     if (!axes.is_array() || axes.size() < 2 || !numbers || !areFinite(*numbers, 3))
       return std::nullopt;
@@ -327,8 +327,8 @@ private:
     int number = 0;
     for (const Json& position : positions_) {
       ++number;
-      const auto eye = flat(fieldOf(position, "eye")),
-                 direction = flat(fieldOf(position, "direction"));
+      const auto eye = flat(entryOf(position, "eye")),
+                 direction = flat(entryOf(position, "direction"));
       if (!eye || !direction)
         continue;
       const double angle = 180 / 3.14159265358979323846 *
@@ -380,19 +380,20 @@ figuresOf(const Json& quality)
 {
   Json figures = Json::array();
   for (const FigureText& text : figure_texts) {
-    const Json& figure = fieldOf(quality, text.key);
+    const Json& figure = entryOf(quality, text.key);
     const auto limits =
-        numbersOf(Json::array({fieldOf(figure, "good"), fieldOf(figure, "bad")}), 2);
+        numbersOf(Json::array({entryOf(figure, "good"), entryOf(figure, "bad")}), 2);
     if (!areFinite(*limits, 2) || (*limits)[0] == (*limits)[1])
       continue;
-    const double value = numbersOf(Json::array({fieldOf(figure, "value")}), 1)->front();
-    figures.push_back({{"name", text.name},
-                       {"value",
-                        std::isfinite(value) ? printed(text.format, text.factor * value)
-                                             : "not known"},
-                       {"meaning", text.meaning},
-                       {"advice", fieldOf(figure, "advice")},
-                       {"scale", scaleOf(value, (*limits)[0], (*limits)[1], text)}});
+    const double value = numbersOf(Json::array({entryOf(figure, "value")}), 1)->front();
+    figures.push_back(
+        {{"name", text.name},
+         {"value",
+          std::isfinite(value) ? formatted(text.format, text.factor * value)
+                               : "not known"},
+         {"meaning", text.meaning},
+         {"advice", entryOf(figure, "advice")},
+         {"scale", scaleOf(value, (*limits)[0], (*limits)[1], text)}});
   }
   return figures;
 }
@@ -406,10 +407,10 @@ placePicture(const Json& plan, const Json& roughness, const Json& positions)
 std::string
 energyPicture(const Json& steps)
 {
-  const auto energies = numbersOf(fieldOf(steps, "energy"), 1);
+  const auto energies = numbersOf(entryOf(steps, "energy"), 1);
   if (!energies)
     return {};
-  const Json &searches = fieldOf(steps, "search"), &sizes = fieldOf(steps, "bin_size");
+  const Json &searches = entryOf(steps, "search"), &sizes = entryOf(steps, "bin_size");
   const auto kindOf = [&](std::size_t step) {
     const auto text = [&](const Json& list) {
       return list.is_array() && step < list.size() ? list[step].dump(-1, ' ', true)
@@ -444,12 +445,14 @@ energyPicture(const Json& steps)
     return std::max(4.0, base - (base - 12) * above / maximum);
   };
   std::string path;
-  for (std::size_t k = 0; k < heights.size(); ++k)
-    if (std::isfinite(heights[k]))
-      path +=
-          (k > 0 && std::isfinite(heights[k - 1]) && kindOf(k - 1) == kindOf(k) ? "L"
-                                                                                : "M") +
-          at(x(k)) + " " + at(y(heights[k])) + (path.empty() ? "h.1" : "");
+  for (std::size_t k = 0; k < heights.size(); ++k) {
+    if (!std::isfinite(heights[k]))
+      continue;
+    const bool goes_on =
+        k > 0 && std::isfinite(heights[k - 1]) && kindOf(k - 1) == kindOf(k);
+    path += (goes_on ? "L" : "M") + at(x(k)) + " " + at(y(heights[k])) +
+            (goes_on ? "" : "h.1"); // so that a single step is a dot
+  }
   std::string svg =
       "<svg class=\"energy\" viewBox=\"0 0 640 240\" role=\"img\" aria-label=\"Energy "
       "over "
@@ -457,12 +460,12 @@ energyPicture(const Json& steps)
       "fill=\"none\"/>";
   for (const double share : {0.0, 0.5, 1.0})
     svg += "<text x=\"58\" y=\"" + at(y(share * maximum) + 4) +
-           "\" text-anchor=\"end\">" + printed("%.3g", share * maximum) + "</text>";
+           "\" text-anchor=\"end\">" + formatted("%.3g", share * maximum) + "</text>";
   svg += "<text x=\"632\" y=\"234\" text-anchor=\"end\">" +
          std::to_string(heights.size()) + " steps</text>";
   return svg + "<path d=\"" + path +
          "\" stroke=\"#2662a6\" stroke-width=\"2\" "
-         "stroke-linejoin=\"round\" fill=\"none\"/></svg>";
+         "stroke-linejoin=\"round\" stroke-linecap=\"round\" fill=\"none\"/></svg>";
 }
 
 } // namespace pcl::acmap

@@ -53,37 +53,42 @@ fullReport(const std::string& name)
           {"furniture", Json::array({{{1, 1}, {2, 1}, {2, 2}}})},
           {"walls", Json::array({{0, 0, 4, 0, 0}})},
           {"patch_size", 0.2},
-          {"unseen", Json::array({{3, 1, "floor"}, {4, 1, "wall"}, {1, 2, "ceiling"}})}}},
+          {"unseen",
+           Json::array({{3, 1, "floor"}, {4, 1, "wall"}, {1, 2, "ceiling"}})}}},
         {"bytes", {{"raw", 1600}, {"textured", 8}, {"geometry", 4}}}}}};
-  return {{"tool", "pcl_compact_mapping"},
-          {"version", "0.1.0"},
-          {"command_line", {"pcl_compact_mapping", name, "-o", "map"}},
-          {"input", name},
-          {"starting_point", "cloud"},
-          {"stages", {stage}},
-          {"truth",
-           {{"main_planes_found", 7},
-            {"main_planes", 7},
-            {"ate_before_m", 0.036},
-            {"ate_after_m", 0.014},
-            {"compactness", 240.9}}},
-          {"quality",
-           {{"outcome", "Not usable"},
-            {"sentence", "surfaces are 31 mm thick."},
-            {"sharpness",
-             {{"value", 0.031}, {"good", 0.002}, {"bad", 0.02}, {"advice", "Move slower."}}},
-            {"overlap", {{"value", nullptr}, {"good", 0.2}, {"bad", 0.05}, {"advice", ""}}},
-            {"roughness", {0.031}}}},
-          {"next_positions",
-           {{"positions",
-             {{{"eye", {1, 0, 1}},
-               {"direction", {1, 0, 0}},
-               {"uncovered", 12.345},
-               {"words", "Behind the table; look up"}}}}}},
-          {"pictures", {{{"file", "inside.png"}, {"caption", name}}, {{"file", name}}}},
-          {"seconds", {{"pictures", 1.0}}},
-          {"peak_memory_bytes", 1000000},
-          {"remarks", {name}}};
+  return {
+      {"tool", "pcl_compact_mapping"},
+      {"version", "0.1.0"},
+      {"command_line", {"pcl_compact_mapping", name, "-o", "map"}},
+      {"input", name},
+      {"starting_point", "cloud"},
+      {"stages", {stage}},
+      {"truth",
+       {{"main_planes_found", 7},
+        {"main_planes", 7},
+        {"ate_before_m", 0.036},
+        {"ate_after_m", 0.014},
+        {"compactness", 240.9}}},
+      {"quality",
+       {{"outcome", "Not usable"},
+        {"sentence", "surfaces are 31 mm thick."},
+        {"sharpness",
+         {{"value", 0.031},
+          {"good", 0.002},
+          {"bad", 0.02},
+          {"advice", "Move slower."}}},
+        {"overlap", {{"value", nullptr}, {"good", 0.2}, {"bad", 0.05}, {"advice", ""}}},
+        {"roughness", {0.031}}}},
+      {"next_positions",
+       {{"positions",
+         {{{"eye", {1, 0, 1}},
+           {"direction", {1, 0, 0}},
+           {"uncovered", 12.345},
+           {"words", "Behind the table; look up"}}}}}},
+      {"pictures", {{{"file", "inside.png"}, {"caption", name}}, {{"file", name}}}},
+      {"seconds", {{"pictures", 1.0}}},
+      {"peak_memory_bytes", 1000000},
+      {"remarks", {name}}};
 }
 
 constexpr const char* worst_name = "<script src=\"http://a.b/c.js\">&'\xFF\x01.pcd";
@@ -161,7 +166,8 @@ TEST(ReportPage, BeginsWithAVerdict)
 TEST(ReportPage, LinksOnlyWhatIsThere)
 {
   const TemporaryFolder folder;
-  EXPECT_THAT(reportPage(fullReport("corridor"), folder.path("")), Not(HasSubstr("href")));
+  EXPECT_THAT(reportPage(fullReport("corridor"), folder.path("")),
+              Not(HasSubstr("href")));
   std::ofstream(folder.path("map.html")) << "a map";
   const std::string page = reportPage(fullReport("corridor"), folder.path(""));
   EXPECT_THAT(page, HasSubstr("<a href=\"map.html\">"));
@@ -172,7 +178,9 @@ TEST(ReportPage, LinksOnlyWhatIsThere)
 TEST(ReportPage, QualityAndPlanMayBeAnything)
 {
   const Json full = fullReport("corridor");
-  const auto check = [](const Json& report) { EXPECT_EQ(htmlFault(pageOf(report)), ""); };
+  const auto check = [](const Json& report) {
+    EXPECT_EQ(htmlFault(pageOf(report)), "");
+  };
   for (const Json& instead : {Json(),
                               Json(7),
                               Json("<b>"),
@@ -374,7 +382,7 @@ TEST(ReportPage, ShowsTheEnergyIfThereAreSteps)
   EXPECT_THAT(page, HasSubstr("3 steps"));
   // the highest one is 2 above the lowest of its kind, and the other kind has a line of its own
   EXPECT_THAT(page, HasSubstr(">2</text>"));
-  const std::size_t line = page.find("<path d=\"M64 12L");
+  const std::size_t line = page.find("<path d=\"M64 12h.1L");
   ASSERT_NE(line, std::string::npos);
   EXPECT_EQ(countOf(page.substr(line, page.find('/', line) - line), "M"), 2U);
   for (const Json& none : {Json(), Json::object(), Json({{"energy", "a"}}), Json(7)})
