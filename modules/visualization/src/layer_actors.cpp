@@ -97,7 +97,7 @@ pointSize(const std::vector<Eigen::Vector3f>& points,
           const Camera& camera,
           const SceneView& view)
 {
-  constexpr float least = 3, most = 8;
+  constexpr float least = 2, most = 7;
   constexpr double closed = 0.88; // of the squares twice as large
   const Eigen::Vector3d ahead = (camera.focus - camera.position).normalized();
   const Eigen::Vector3d right = ahead.cross(camera.up);
@@ -119,7 +119,7 @@ pointSize(const std::vector<Eigen::Vector3f>& points,
          4.0 * static_cast<double>(squaresWithPoints(pixels, view, 2 * size)) * closed >
              static_cast<double>(squaresWithPoints(pixels, view, size)))
     ++size;
-  return size;
+  return size + 1; // else holes of a pixel remain, with their dark rims
 }
 
 Actors
