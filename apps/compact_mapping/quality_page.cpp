@@ -175,6 +175,12 @@ public:
   {
     for (const Json& room : listOf("rooms"))
       extend(cornersOf(room));
+    for (const Json& one : listOf("furniture"))
+      extend(cornersOf(one));
+    if (positions_.is_array())
+      for (const Json& position : positions_)
+        if (const auto eye = flat(entryOf(position, "eye")))
+          extend({*eye});
     for (const Json& wall : listOf("walls"))
       if (const auto line = numbersOf(wall, 4); line && areFinite(*line, 4))
         extend({{(*line)[0], (*line)[1]}, {(*line)[2], (*line)[3]}});
