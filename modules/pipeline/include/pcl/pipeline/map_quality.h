@@ -95,9 +95,9 @@ visitFields(const MapQualityReport& report, Visitor&& visit)
   visit({"outcome"}, acmap::Named{report.outcome, acmap::map_quality_names});
   visit({"sentence"}, report.sentence);
   visit({"verdict"},
-        report.verdict ? std::optional(acmap::Named{*report.verdict,
-                                                    acmap::verdict_outcome_names})
-                       : std::nullopt);
+        report.verdict
+            ? std::optional(acmap::Named{*report.verdict, acmap::verdict_outcome_names})
+            : std::nullopt);
   visit({"sharpness", "m"}, report.sharpness);
   visit({"coverage"}, report.coverage);
   visit({"rays"}, report.rays);
