@@ -154,7 +154,8 @@ TEST_F(PlaneCorridor, ThePapersThresholdsFindWholeWallsAndSwallowTheDoors)
   EXPECT_EQ(report.at("consolidated_points"), 0);
   EXPECT_GT(report.at("mesh").at("walls"), 0);
   const auto planes = jsonOfFile(path("paper.json")).at("planes");
-  for (const char* name : {"right wall", "left wall", "floor", "ceiling"}) {
+  // of the floor, each 16th point is too sparse for a mesh
+  for (const char* name : {"right wall", "left wall", "ceiling"}) {
     const Eigen::Vector4d truth = coefficientsOf(truthOf(name));
     double largest = 0; // of a piece within W_d of one hypothesis: pi W_d^2 at most
     for (const auto& plane : planes) {
