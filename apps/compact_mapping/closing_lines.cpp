@@ -59,7 +59,7 @@ areaText(double area)
 }
 
 std::string
-surfacesText(const Json& report, const Json& map)
+surfacesText(const Json& report)
 {
   constexpr std::array<std::array<const char*, 3>, 4> kinds = {
       {{"planes", "plane", "planes"},
@@ -70,11 +70,6 @@ surfacesText(const Json& report, const Json& map)
   for (const auto& [name, one, several] : kinds)
     if (const Json count = valueAt(report, name); count.is_number() && count > 0)
       parts.push_back(countText(count.get<std::size_t>(), one, several));
-  const Json points = valueAt(map, "points_on_planes"),
-             all = valueAt(map, "finite_points");
-  if (points.is_number() && all.is_number() && all > 0)
-    parts.push_back(shortNumber(100 * points.get<double>() / all.get<double>()) +
-                    " % of the points on planes");
   return joined(parts, ", ");
 }
 
@@ -154,13 +149,11 @@ qualityText(const Json& quality)
 std::string
 unseenText(const Json& quality)
 {
-  const Json seen = valueAt(quality, "seen_area"),
-             unseen = valueAt(quality, "unseen_area");
-  if (!seen.is_number() || !unseen.is_number() || unseen <= 0)
+  const Json seen = valueAt(quality, "coverage/value");
+  if (!seen.is_number() || seen >= 1)
     return "";
-  return areaText(unseen.get<double>()) + " of " +
-         areaText(seen.get<double>() + unseen.get<double>()) +
-         " m² of floors, ceilings and walls; report.html tells where to look next";
+  return shortNumber(100 * (1 - seen.get<double>())) +
+         " % of floors, ceilings and walls; report.html tells where to look next";
 }
 
 void
@@ -179,7 +172,7 @@ closingLines(const Json& report, const std::string& folder)
   const Json quality = valueAt(report, "quality");
   Lines lines;
   add(lines, "map", qualityText(quality));
-  add(lines, "surfaces", surfacesText(report, map));
+  add(lines, "surfaces", surfacesText(report));
   if (const Json rooms = valueAt(map, "rooms"); rooms.is_array() && !rooms.empty())
     add(lines, "rooms", roomsText(rooms));
   if (const Json openings = valueAt(map, "openings"); openings.is_object())

@@ -24,7 +24,7 @@ placePicture(const nlohmann::ordered_json& plan,
              const nlohmann::ordered_json& positions);
 
 /** \brief Draws the energy of a search over its steps, each above the lowest of its kind.
- * \param[in] steps "search", "bin_size" and "energy" of a report, lists of the same length
+ * \param[in] steps "search", bin_size and "energy" of a report, lists of the same length
  * \return SVG; empty without steps */
 std::string
 energyPicture(const nlohmann::ordered_json& steps);

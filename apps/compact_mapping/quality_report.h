@@ -8,7 +8,7 @@
 
 namespace pcl::acmap {
 
-/** \brief Tells how good a map is, and reports it as "quality" and "next_positions". */
+/** \brief Tells how good a map is, and reports it as "quality" and next_positions. */
 void
 tellQuality(const CompactMappingReport& report, StageLog& log);
 

@@ -122,7 +122,8 @@ TEST_F(Mesh, RulesAndWallDepth)
 {
   EXPECT_EQ(runSurface({input_, output("a.ply"), "--rule", "guarded"}).exit_code, 0);
   EXPECT_EQ(runSurface({input_, output("d.ply"), "--rule", "paper"}).exit_code, 0);
-  EXPECT_EQ(contentOf(output("a.ply")), contentOf(output("d.ply"))) << "its former name";
+  EXPECT_EQ(contentOf(output("a.ply")), contentOf(output("d.ply")))
+      << "its former name";
   EXPECT_EQ(runSurface({input_, output("b.ply"), "-rule", "dense"}).exit_code, 0);
   EXPECT_EQ(runSurface({input_, output("c.ply"), "-wall_depth"}).exit_code, 0);
   EXPECT_EQ(contentOf(output("a.ply")).find("wall_depth"), std::string::npos);

@@ -218,6 +218,10 @@ class Settings(unittest.TestCase):
         self.assertEqual(planes.report.tested_hypotheses, 1)
         self.assertEqual(planes.report.reestimations, 1999)
         planes = acmap.find_planes(wall, normals, noise_driven=False)
+        self.assertEqual(len(planes.patches), 1, "0.8 m around any member are the wall")
+        planes = acmap.find_planes(
+            wall, normals, noise_driven=False, supporter_reach="hypothesis"
+        )
         self.assertGreater(len(planes.patches), 4, "0.8 m around a point are not the wall")
 
     def test_noise_decides_by_default(self):
@@ -233,8 +237,8 @@ class Settings(unittest.TestCase):
         view = room_view(noise=0.02)
         mesh = acmap.triangulate(view)
         ours, paper = (acmap.vote_normals(view, mesh, paper=paper) for paper in (False, True))
-        self.assertGreater(guarded.report.votes, ours.report.votes, "near triangles vote too")
-        self.assertLess(guarded.report.unknown, ours.report.unknown + 1)
+        self.assertGreater(paper.report.votes, ours.report.votes, "near triangles vote too")
+        self.assertLess(paper.report.unknown, ours.report.unknown + 1)
         page = acmap.vote_normals(
             view, mesh, paper=True, crease_weight=2, corner_weight=2
         )
