@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 /** The part of the progress of the chain that a first stage has if nothing is known of the
  * observations that it makes. */
-constexpr double share_of_first = 0.5;
+constexpr double share_of_first = 0.3;
 
 /** Millions of points of what is mapped, about, by the sizes of the files. */
 double
