@@ -179,14 +179,16 @@ sharpnessOf(std::vector<double> values, double most)
 }
 
 /** The coordinates of a ray that are constant in a row: its elevation about each axis of the
- * frame, and its height in a picture along z. */
+ * frame, and its height in a picture along z. A point at the position itself has no direction,
+ * and is level. */
 constexpr int row_kinds = 4;
 
 double
 rowOf(const Vector3d& ray, int kind)
 {
-  return kind < 3 ? std::asin(std::clamp(ray[kind] / ray.norm(), -1.0, 1.0))
-                  : std::atan(ray.y() / ray.z());
+  const double row = kind < 3 ? std::asin(std::clamp(ray[kind] / ray.norm(), -1.0, 1.0))
+                              : std::atan(ray.y() / ray.z());
+  return std::isnan(row) ? 0 : row;
 }
 
 /** What is seen from a position, compared with positions beside it. */
