@@ -60,20 +60,22 @@ TEST(PlanePolygons, windowStaysOpen)
   }
 }
 
-/** With its W_d of 0.8 m, no plane of the paper is large enough to surround the window. */
+/** Within W_d = 0.8 m of one hypothesis, no plane is large enough to surround the window. */
 TEST(PlanePolygons, planesOfThePaperHaveThemToo)
 {
-  for (const double reach : {0.8, 5.0}) {
+  for (const SupporterReach reach :
+       {SupporterReach::Hypothesis, SupporterReach::Members}) {
     const Clustered found =
         clusterOn(makeWallWithWindow(), [&](Clustering& clustering) {
           clustering.setNoiseDriven(false);
-          clustering.setClusterTolerance(reach);
+          clustering.setSupporterReach(reach);
         });
-    if (reach > 4) {
+    if (reach == SupporterReach::Members) {
       ASSERT_EQ(found.patches.size(), 1U);
       EXPECT_EQ(found.patches[0].polygons[0].holes.size(), 1U);
     }
-    EXPECT_GE(found.patches.size(), reach > 4 ? 1U : 5U);
+    else
+      EXPECT_GE(found.patches.size(), 5U);
     for (const PlanePatch& patch : found.patches)
       expectSound(patch);
   }
