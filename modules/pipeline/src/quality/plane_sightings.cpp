@@ -1,6 +1,8 @@
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/pipeline/plane_sightings.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
