@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bindings.h"
+#include "shown.h"
 
 #include <pcl/core/triangle_mesh.h>
 
