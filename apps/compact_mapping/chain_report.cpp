@@ -160,7 +160,7 @@ tellChain(const ChainOptions& options,
   }
   details["pictures"] =
       picturesIn(options.output, map.value("tilt_deg", 0.0), options.planes.paper);
-  for (const auto& [name, value] : closingLines(details, options.output))
+  for (const auto& [name, value] : closingLines(details))
     log.tell(name, value);
   for (const auto& [name, value] : stages.back().told.lines)
     if (name == "compactness")

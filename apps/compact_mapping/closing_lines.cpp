@@ -1,5 +1,7 @@
 #include "closing_lines.h"
 
+#include "report_fields.h"
+
 #include <pcl/core/impl/size_text.h>
 
 #include <algorithm>
@@ -15,14 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Lines = std::vector<std::pair<std::string, std::string>>;
-
-/** The value at a path such as "texture/seen"; null if there is none. */
-Json
-valueAt(const Json& json, const std::string& path)
-{
-  const Json::json_pointer place("/" + path);
-  return json.contains(place) ? json.at(place) : Json();
-}
 
 /** What a stage reports; null if there was none. */
 Json
@@ -68,7 +62,7 @@ surfacesText(const Json& report)
        {"recesses", "recess", "recesses"}}};
   std::vector<std::string> parts;
   for (const auto& [name, one, several] : kinds)
-    if (const Json count = valueAt(report, name); count.is_number() && count > 0)
+    if (const Json count = fieldOf(report, name); count.is_number() && count > 0)
       parts.push_back(countText(count.get<std::size_t>(), one, several));
   return joined(parts, ", ");
 }
@@ -126,10 +120,10 @@ std::string
 accuracyText(const Json& report, const Json& map)
 {
   std::vector<std::string> parts;
-  if (const double noise = middleNoise(valueAt(map, "planes")); noise > 0)
+  if (const double noise = middleNoise(fieldOf(map, "planes")); noise > 0)
     parts.push_back("points within " + shortNumber(1000 * noise) +
                     " mm of their planes (rms, half of the area)");
-  if (const Json e95 = valueAt(detailsOf(report, "rectification"), "verdict/e95");
+  if (const Json e95 = fieldOf(detailsOf(report, "rectification"), "verdict/e95");
       e95.is_number())
     parts.push_back("poses within " + shortNumber(e95.get<double>()) + " m (95 %)");
   return joined(parts, ", ");
@@ -139,8 +133,8 @@ accuracyText(const Json& report, const Json& map)
 std::string
 qualityText(const Json& quality)
 {
-  const Json outcome = valueAt(quality, "outcome"),
-             sentence = valueAt(quality, "sentence");
+  const Json outcome = fieldOf(quality, "outcome"),
+             sentence = fieldOf(quality, "sentence");
   if (!outcome.is_string() || !sentence.is_string())
     return "";
   return outcome.get<std::string>() + ": " + sentence.get<std::string>();
@@ -149,7 +143,7 @@ qualityText(const Json& quality)
 std::string
 unseenText(const Json& quality)
 {
-  const Json seen = valueAt(quality, "coverage/value");
+  const Json seen = fieldOf(quality, "coverage/value");
   if (!seen.is_number() || seen >= 1)
     return "";
   return shortNumber(100 * (1 - seen.get<double>())) +
@@ -166,16 +160,16 @@ add(Lines& lines, const char* name, std::string value)
 } // namespace
 
 Lines
-closingLines(const Json& report, const std::string& folder)
+closingLines(const Json& report)
 {
   const Json map = detailsOf(report, "map");
-  const Json quality = valueAt(report, "quality");
+  const Json quality = fieldOf(report, "quality");
   Lines lines;
   add(lines, "map", qualityText(quality));
   add(lines, "surfaces", surfacesText(report));
-  if (const Json rooms = valueAt(map, "rooms"); rooms.is_array() && !rooms.empty())
+  if (const Json rooms = fieldOf(map, "rooms"); rooms.is_array() && !rooms.empty())
     add(lines, "rooms", roomsText(rooms));
-  if (const Json openings = valueAt(map, "openings"); openings.is_object())
+  if (const Json openings = fieldOf(map, "openings"); openings.is_object())
     add(lines, "openings", openingsText(openings));
   add(lines, "accuracy", accuracyText(report, map));
   add(lines, "not seen", unseenText(quality));

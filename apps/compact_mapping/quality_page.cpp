@@ -1,5 +1,7 @@
 #include "quality_page.h"
 
+#include "report_fields.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,14 +17,6 @@ namespace pcl::acmap {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/** \brief A field of an object; null if there is none. */
-const Json&
-entryOf(const Json& json, const char* name)
-{
-  static const Json nothing;
-  return json.is_object() && json.contains(name) ? json.at(name) : nothing;
-}
 
 /** \brief The numbers of a list of at least this many; entries that are none are NaN. */
 std::optional<std::vector<double>>
@@ -179,7 +173,7 @@ public:
       extend(cornersOf(one));
     if (positions_.is_array())
       for (const Json& position : positions_)
-        if (const auto eye = flat(entryOf(position, "eye")))
+        if (const auto eye = flat(fieldOf(position, "eye")))
           extend({*eye});
     for (const Json& wall : listOf("walls"))
       if (const auto line = numbersOf(wall, 4); line && areFinite(*line, 4))
@@ -218,7 +212,7 @@ private:
   listOf(const char* name) const
   {
     static const Json nothing = Json::array();
-    const Json& list = entryOf(plan_, name);
+    const Json& list = fieldOf(plan_, name);
     return list.is_array() ? list : nothing;
   }
 
@@ -269,7 +263,7 @@ private:
   void
   addUnseen(const char* role, const char* fill, bool is_upright)
   {
-    const Json& size = entryOf(plan_, "patch_size");
+    const Json& size = fieldOf(plan_, "patch_size");
     double side = size.is_number() ? std::clamp(size.get<double>(), 0.0, 100.0) : 0;
     if (is_upright) // walls are lines in a plan
       side = std::max(side, 2 * unit_);
@@ -309,7 +303,7 @@ private:
   std::optional<std::pair<double, double>>
   flat(const Json& vector) const
   {
-    const Json& axes = entryOf(plan_, "axes");
+    const Json& axes = fieldOf(plan_, "axes");
     const auto numbers = numbersOf(vector, 3);
     if (!axes.is_array() || axes.size() < 2 || !numbers || !areFinite(*numbers, 3))
       return std::nullopt;
@@ -333,8 +327,8 @@ private:
     int number = 0;
     for (const Json& position : positions_) {
       ++number;
-      const auto eye = flat(entryOf(position, "eye")),
-                 direction = flat(entryOf(position, "direction"));
+      const auto eye = flat(fieldOf(position, "eye")),
+                 direction = flat(fieldOf(position, "direction"));
       if (!eye || !direction)
         continue;
       const double angle = 180 / 3.14159265358979323846 *
@@ -386,19 +380,19 @@ figuresOf(const Json& quality)
 {
   Json figures = Json::array();
   for (const FigureText& text : figure_texts) {
-    const Json& figure = entryOf(quality, text.key);
+    const Json& figure = fieldOf(quality, text.key);
     const auto limits =
-        numbersOf(Json::array({entryOf(figure, "good"), entryOf(figure, "bad")}), 2);
+        numbersOf(Json::array({fieldOf(figure, "good"), fieldOf(figure, "bad")}), 2);
     if (!areFinite(*limits, 2) || (*limits)[0] == (*limits)[1])
       continue;
-    const double value = numbersOf(Json::array({entryOf(figure, "value")}), 1)->front();
+    const double value = numbersOf(Json::array({fieldOf(figure, "value")}), 1)->front();
     figures.push_back(
         {{"name", text.name},
          {"value",
           std::isfinite(value) ? formatted(text.format, text.factor * value)
                                : "not known"},
          {"meaning", text.meaning},
-         {"advice", entryOf(figure, "advice")},
+         {"advice", fieldOf(figure, "advice")},
          {"scale", scaleOf(value, (*limits)[0], (*limits)[1], text)}});
   }
   return figures;
@@ -413,10 +407,10 @@ placePicture(const Json& plan, const Json& roughness, const Json& positions)
 std::string
 energyPicture(const Json& steps)
 {
-  const auto energies = numbersOf(entryOf(steps, "energy"), 1);
+  const auto energies = numbersOf(fieldOf(steps, "energy"), 1);
   if (!energies)
     return {};
-  const Json &searches = entryOf(steps, "search"), &sizes = entryOf(steps, "bin_size");
+  const Json &searches = fieldOf(steps, "search"), &sizes = fieldOf(steps, "bin_size");
   const auto kindOf = [&](std::size_t step) {
     const auto text = [&](const Json& list) {
       return list.is_array() && step < list.size() ? list[step].dump(-1, ' ', true)

@@ -1,6 +1,7 @@
 #include "report_page.h"
 
 #include "quality_page.h"
+#include "report_fields.h"
 
 #include <pcl/core/image_file.h>
 #include <pcl/core/impl/base64.h>
@@ -29,37 +30,6 @@ using Json = nlohmann::ordered_json;
 constexpr const char* unknown = "–";
 
 const Json nothing;
-
-/** \param[in] path of a field in objects and lists, such as "truth/compactness"
- * \return null if there is no such field */
-const Json&
-fieldOf(const Json& json, std::string_view path)
-{
-  const std::size_t slash = path.find('/');
-  const std::string name(path.substr(0, slash));
-  const Json* field = &nothing;
-  if (json.is_object() && json.contains(name))
-    field = &json.at(name);
-  else if (json.is_array() && name.size() == 1 && name[0] >= '0' &&
-           static_cast<std::size_t>(name[0] - '0') < json.size())
-    field = &json[static_cast<std::size_t>(name[0] - '0')];
-  return slash == path.npos ? *field : fieldOf(*field, path.substr(slash + 1));
-}
-
-/** A field that is a list, otherwise null. */
-const Json&
-listOf(const Json& json, std::string_view path)
-{
-  const Json& list = fieldOf(json, path);
-  return list.is_array() ? list : nothing;
-}
-
-std::string
-textOf(const Json& json, std::string_view path)
-{
-  const Json& text = fieldOf(json, path);
-  return text.is_string() ? text.get<std::string>() : std::string();
-}
 
 /** A number, or the number of entries of a list. */
 std::optional<double>
