@@ -10,32 +10,16 @@ change on the terminal and without progress from the library. The machine should
 
 import json
 import os
-import pty
 import re
 import sys
 import tempfile
-import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent.parent / "python"))
+
+from on_terminal import shown_by
 
 TOLD = re.compile(r"(?:(\d+) min )?(\d+) s left")
-
-
-def shown_by(command, environment):
-    """Runs a command; returns its exit code, seconds, and pairs of seconds and text."""
-    begin = time.monotonic()
-    process, terminal = pty.fork()
-    if process == 0:
-        os.execvpe(command[0], command, environment)
-    shown = []
-    while True:
-        try:
-            part = os.read(terminal, 65536)
-        except OSError:
-            break
-        if not part:
-            break
-        shown.append((time.monotonic() - begin, part.decode(errors="replace")))
-    _, status = os.waitpid(process, 0)
-    return os.waitstatus_to_exitcode(status), time.monotonic() - begin, shown
 
 
 def told_at(shown, seconds):

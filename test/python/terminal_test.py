@@ -1,35 +1,16 @@
 """What a tool shows on a terminal: one bar that never stands still, its stages, what to open."""
 
 import os
-import pty
 import re
 import tempfile
-import time
 import unittest
 
 import numpy
 
+from on_terminal import shown_by
 from rooms import room_view
 
 tool = os.path.join(os.environ["ACMAP_BIN"], "pcl_compact_mapping")
-
-
-def shown(command, **environment):
-    """Runs a command on a terminal; returns its exit code, and pairs of seconds and text."""
-    begin = time.monotonic()
-    process, terminal = pty.fork()
-    if process == 0:
-        os.execve(command[0], command, dict(os.environ, COLUMNS="80", **environment))
-    parts = []
-    while True:
-        try:
-            part = os.read(terminal, 65536)
-        except OSError:
-            break
-        if not part:
-            break
-        parts.append((time.monotonic() - begin, part.decode()))
-    return os.waitstatus_to_exitcode(os.waitpid(process, 0)[1]), parts
 
 
 class Terminal(unittest.TestCase):
@@ -37,7 +18,7 @@ class Terminal(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         cls.cloud = os.path.join(cls.folder.name, "room.xyz")
-        numpy.savetxt(cls.cloud, room_view(240, 320, noise=0.005).reshape(-1, 3), "%.4f")
+        numpy.savetxt(cls.cloud, room_view(720, 960, noise=0.005).reshape(-1, 3), "%.4f")
 
     @classmethod
     def tearDownClass(cls):
@@ -46,8 +27,10 @@ class Terminal(unittest.TestCase):
     def map(self, **environment):
         output = tempfile.mkdtemp(prefix="map of ", dir=self.folder.name)
         cache = os.path.join(self.folder.name, "cache")
-        code, parts = shown([tool, self.cloud, "-o", output, "--no-pictures"],
-                            TERM="xterm", XDG_CACHE_HOME=cache, **environment)
+        code, _, parts = shown_by(
+            [tool, self.cloud, "-o", output, "--no-pictures"],
+            dict(os.environ, COLUMNS="80", TERM="xterm", XDG_CACHE_HOME=cache, **environment),
+        )
         text = "".join(part for _, part in parts)
         self.assertEqual(code, 0, text)
         return output, parts, text
