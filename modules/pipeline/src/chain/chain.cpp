@@ -162,7 +162,7 @@ Chain::applies(const ChainStage& stage) const
 double
 Chain::endOf(const ChainStage& stage) const
 {
-  if (&stage == &run_stages_.back())
+  if (&stage == &run_stages_.back() || !progress_)
     return 1;
   double share = share_of_first;
   if (!first_ || stage.name != first_->name || state_.observations) {
@@ -311,10 +311,9 @@ Chain::run(const std::string& last)
       continue;
     }
     const StageKey key = keyOf(stage);
-    const double end = endOf(stage);
     if (!has_run && takeOver(stage, key)) {
       passing.clear();
-      progress_before_ = end;
+      progress_before_ = endOf(stage);
     }
     else {
       run_passing();
