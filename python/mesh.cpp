@@ -53,7 +53,6 @@ pictureOfMesh(const Mesh& mesh)
     return py::none();
   const PointView points = pointRowsOf("points", mesh.points).view;
   PictureMesh picture;
-  picture.points = points.size();
   picture.point = [&](std::size_t i) { return points[i]; };
   picture.triangles = mesh.mesh->triangles;
   requireCornersInside(picture.triangles, points.size());

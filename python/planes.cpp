@@ -125,7 +125,6 @@ pictureOfPlanes(const Planes& planes)
         points.push_back(point);
     }
   }
-  picture.points = points.size();
   picture.point = [&](std::size_t i) { return points[i]; };
   const std::string png = pictureOf(picture);
   return png.empty() ? py::object(py::none()) : py::bytes(png);

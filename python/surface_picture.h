@@ -16,7 +16,6 @@ namespace pcl::acmap::python {
 
 /** \brief Triangles for a picture. */
 struct PictureMesh {
-  std::size_t points = 0;
   std::function<Eigen::Vector3f(std::size_t)> point; ///< metres; may be not finite
   TriangleMesh::Triangles triangles;
   /** \brief Of each triangle, or one for all. */
