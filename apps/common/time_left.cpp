@@ -63,9 +63,9 @@ TimeLeft::tell(double fraction, double elapsed)
 std::optional<double>
 TimeLeft::bySpeed(double elapsed) const
 {
-  constexpr double least_work = 0.03, least_seconds = 1;
+  constexpr double min_work = 0.03, min_seconds = 1;
   const double worked = worked_ + elapsed - told_.back().second;
-  if (work_ < least_work || worked < least_seconds)
+  if (work_ < min_work || worked < min_seconds)
     return {};
   return worked / work_ * (1 - told_.back().first);
 }
