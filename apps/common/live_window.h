@@ -44,7 +44,7 @@ private:
   std::string
   statusOf(const MappingState& state) const
   {
-    constexpr double most_lag = 3; // seconds
+    constexpr double max_lag = 3; // seconds
     double area = 0;
     for (const PlanRoom& room : floor_plan_.rooms)
       area += room.seen_area;
@@ -54,13 +54,7 @@ private:
       text += ", " + std::to_string(std::lround(area)) + " m\u00b2";
     if (!state.poses.empty() && !state.poses.back())
       return text + ", lost: go back to what was seen before";
-    return text + (state.is_late || state.lag > most_lag ? ", move slower" : "");
-  }
-
-  Eigen::Vector2d
-  placeOf(const Eigen::Vector3d& point) const
-  {
-    return {point.dot(floor_plan_.x_axis), point.dot(floor_plan_.y_axis)};
+    return text + (state.is_late || state.lag > max_lag ? ", move slower" : "");
   }
 
   /** \brief Rooms, walls, the way of the camera, and what it looks at now. */
@@ -80,7 +74,7 @@ private:
     PlanLine way{{}, accent};
     for (const auto& pose : state.poses)
       if (pose)
-        way.points.push_back(placeOf(pose->translation()));
+        way.points.push_back(floor_plan_.placeOf(pose->translation()));
     lines.push_back(std::move(way));
     if (!state.poses.empty() && state.poses.back())
       lines.push_back(sightOf(*state.poses.back()));
@@ -92,9 +86,10 @@ private:
   sightOf(const Eigen::Isometry3d& pose) const
   {
     constexpr double length = 1.2, half_width = 0.6; // metres
-    const Eigen::Vector2d eye = placeOf(pose.translation());
-    const Eigen::Vector2d ahead = length * placeOf(pose.linear().col(2));
-    const Eigen::Vector2d right = half_width * placeOf(pose.linear().col(0));
+    const Eigen::Vector2d eye = floor_plan_.placeOf(pose.translation());
+    const Eigen::Vector2d ahead = length * floor_plan_.placeOf(pose.linear().col(2));
+    const Eigen::Vector2d right =
+        half_width * floor_plan_.placeOf(pose.linear().col(0));
     return {{eye, eye + ahead + right, eye + ahead - right}, {255, 176, 72}, true};
   }
 

@@ -6,7 +6,7 @@
 #include "plan/text_places.h"
 #include "plan/unseen_borders.h"
 #include "plan/wall_bodies.h"
-#include <pcl/texture/impl/polygon_inside.h>
+#include <pcl/core/impl/planar_geometry.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -90,7 +90,8 @@ bool
 isFilled(const std::vector<WallBody>& bodies, const Vector2d& place)
 {
   return std::any_of(bodies.begin(), bodies.end(), [&](const WallBody& body) {
-    return isInside({{body.corners.begin(), body.corners.end()}}, place);
+    return isInside(std::vector<Vector2d>(body.corners.begin(), body.corners.end()),
+                    place);
   });
 }
 

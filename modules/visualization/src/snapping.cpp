@@ -1,5 +1,7 @@
 #include "snapping.h"
 
+#include <pcl/core/impl/planar_geometry.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -55,15 +57,6 @@ isInView(const Eigen::Vector3d& pixel)
   return pixel.z() >= 0 && pixel.z() <= 1;
 }
 
-double
-distanceTo(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  const Eigen::Vector2d edge = b - a;
-  const double length = edge.squaredNorm();
-  const double t = length > 0 ? std::clamp((p - a).dot(edge) / length, 0.0, 1.0) : 0;
-  return (a + t * edge - p).norm();
-}
-
 } // namespace
 
 std::vector<SnapPlace>
@@ -85,8 +78,8 @@ snapPlaces(const std::vector<MapLine>& outlines,
         corners.push_back({{a, line.plane}, off});
       if (!isInView(pixels[i + 1]))
         continue;
-      const double beside =
-          distanceTo(ray.pixel, pixels[i].head<2>(), pixels[i + 1].head<2>());
+      const double beside = std::sqrt(
+          squaredDistance(ray.pixel, pixels[i].head<2>(), pixels[i + 1].head<2>()));
       if (beside < edge_reach)
         edges.push_back(
             {{nearestOn(a, line.points[i + 1].cast<double>(), ray), line.plane},

@@ -1,5 +1,7 @@
 #include "comparison/plane_overlap.h"
 
+#include <pcl/core/impl/planar_geometry.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -55,12 +57,6 @@ addFan(const std::vector<Eigen::Vector3f>& loop,
 }
 
 using Polygon = std::vector<ChartCorner>;
-
-double
-crossOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /** \brief Squares of a rectangle of a true plane, and what covers them. */
 class CoveredSquares {

@@ -1,7 +1,7 @@
 #include "naming/smallest_rectangle.h"
 
+#include <pcl/core/impl/planar_geometry.h>
 #include <pcl/pipeline/surface_names.h>
-#include <pcl/texture/impl/polygon_inside.h>
 
 #include <Eigen/Geometry>
 
@@ -113,26 +113,14 @@ public:
   }
 
 private:
-  Vector2d
-  flat(const Vector3d& place) const
-  {
-    return {place.dot(plan_.x_axis), place.dot(plan_.y_axis)};
-  }
-
-  double
-  heightOf(const Vector3d& place) const
-  {
-    return place.dot(plan_.up) - plan_.floor;
-  }
-
   PlacedPlane
   placeOf(const PlanePatch& plane) const
   {
     PlacedPlane placed;
     placed.normal = plane.coefficients.head<3>();
     placed.facing_up = placed.normal.dot(plan_.up);
-    placed.front = flat(placed.normal);
-    placed.center = flat(plane.center);
+    placed.front = plan_.placeOf(placed.normal);
+    placed.center = plan_.placeOf(plane.center);
     const Vector3d side =
         placed.isUpright() ? placed.normal.cross(plan_.up).normalized() : plane.axis_u;
     const Vector3d other = placed.normal.cross(side);
@@ -142,8 +130,9 @@ private:
       for (const Eigen::Vector3f& corner : polygon.outer) {
         const Vector3d place = corner.cast<double>();
         corners.emplace_back(place.dot(side), place.dot(other));
-        heights.extend(Eigen::Matrix<double, 1, 1>(heightOf(place)));
-        lengths.extend(Eigen::Matrix<double, 1, 1>(flat(place).dot(placed.along())));
+        heights.extend(Eigen::Matrix<double, 1, 1>(plan_.heightOf(place)));
+        lengths.extend(
+            Eigen::Matrix<double, 1, 1>(plan_.placeOf(place).dot(placed.along())));
       }
     placed.is_finite = !corners.empty() && plane.coefficients.allFinite() &&
                        std::all_of(corners.begin(), corners.end(), [](const auto& one) {
@@ -208,7 +197,7 @@ private:
       const bool is_pillar =
           std::isfinite(ceiling_) && height > up_to_ceiling * ceiling_;
       const bool hangs =
-          heightOf(box.center) - height / 2 > head_level; // as a duct does
+          plan_.heightOf(box.center) - height / 2 > head_level; // as a duct does
       for (const BoxFace& face : box.faces)
         if (!is_pillar && !hangs && face.plane >= 0 &&
             (face.kind == BoxFaceKind::Seen || face.kind == BoxFaceKind::Slanted))
@@ -314,7 +303,7 @@ private:
           for (const Vector2d& hinge : hinges)
             for (const Vector3d& side : {opening.from, opening.to})
               if (opening.kind == OpeningKind::Door &&
-                  (flat(side) - hinge).norm() < slack)
+                  (plan_.placeOf(side) - hinge).norm() < slack)
                 return true;
           return false;
         });
@@ -375,7 +364,7 @@ private:
   roomsAt(const Vector2d& place) const
   {
     for (std::size_t room = 0; room < plan_.rooms.size(); ++room)
-      if (acmap::isInside({plan_.rooms[room].outline}, place))
+      if (acmap::isInside(plan_.rooms[room].outline, place))
         return {room};
     return {};
   }
@@ -425,7 +414,7 @@ private:
   {
     for (CylinderPatch& cylinder : map_.cylinders) {
       cylinder.label = {
-          nameIn(kindOf(cylinder), "in", roomsAt(flat(cylinder.axis_point))),
+          nameIn(kindOf(cylinder), "in", roomsAt(plan_.placeOf(cylinder.axis_point))),
           SurfaceRole::Other,
           {2 * cylinder.radius, cylinder.high - cylinder.low}};
     }
@@ -451,7 +440,7 @@ private:
   nameBoxes()
   {
     for (BoxPatch& box : map_.boxes)
-      box.name = nameIn("Box", "in", roomsAt(flat(box.center)));
+      box.name = nameIn("Box", "in", roomsAt(plan_.placeOf(box.center)));
     for (RecessPatch& recess : map_.recesses)
       recess.name =
           nameIn(recess.reaches_floor ? "Closed door" : "Recess",

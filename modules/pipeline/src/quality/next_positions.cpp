@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 namespace pcl {
 
@@ -64,7 +65,7 @@ nearestRoom(const FloorPlan& plan, const Vector2d& place)
   for (std::size_t room = 0; room < plan.rooms.size(); ++room) {
     const std::vector<Vector2d>& outline = plan.rooms[room].outline;
     const double its =
-        acmap::isInLoop(outline, place) ? 0 : acmap::distanceToLoop(outline, place);
+        acmap::isInside(outline, place) ? 0 : acmap::distanceToLoop(outline, place);
     if (its < distance) {
       nearest = room;
       distance = its;
@@ -87,11 +88,11 @@ standsOn(const CompactMap& map, const FloorPlan& plan, double eye_height)
   const double step =
       std::max(finest, std::sqrt(area / static_cast<double>(max_stands)));
   const auto isFree = [&](const PlanRoom& room, const Vector2d& place) {
-    return acmap::isInLoop(room.outline, place) &&
+    return acmap::isInside(room.outline, place) &&
            std::none_of(plan.furniture.begin(),
                         plan.furniture.end(),
                         [&](const PlanFurniture& one) {
-                          return acmap::isInLoop(one.outline, place) ||
+                          return acmap::isInside(one.outline, place) ||
                                  acmap::distanceToLoop(one.outline, place) <
                                      from_furniture;
                         }) &&
@@ -123,12 +124,12 @@ standsOn(const CompactMap& map, const FloorPlan& plan, double eye_height)
     for (double y = box.min().y() + step / 2; y < box.max().y(); y += step)
       for (double x = box.min().x() + step / 2; x < box.max().x(); x += step)
         if (isFree(room, {x, y}))
-          stands.push_back({acmap::pointOfPlan(plan, {x, y}, eye_height), number});
+          stands.push_back({plan.pointAt({x, y}, eye_height), number});
   }
   // somebody was there, even if nobody saw the floor
   for (const Eigen::Isometry3d& pose : map.trajectory.poses) {
-    const Vector2d place = acmap::flatOf(plan, pose.translation());
-    const Vector3d eye = acmap::pointOfPlan(plan, place, eye_height);
+    const Vector2d place = plan.placeOf(pose.translation());
+    const Vector3d eye = plan.pointAt(place, eye_height);
     if (stands.size() < 2 * max_stands && isNew(eye))
       stands.push_back({eye, nearestRoom(plan, place)});
   }
@@ -174,9 +175,8 @@ public:
       if (length >= nearest && length <= reach / min_cosine &&
           -ray.dot(patches_[patch].normal) >= min_cosine * length &&
           !isHidden(eye, patch, before) && !isBehindColumn(eye, patch) &&
-          !acmap::isBehindPresumed(walls_,
-                                   acmap::flatOf(plan_, eye),
-                                   acmap::flatOf(plan_, patches_[patch].center)))
+          !acmap::isBehindPresumed(
+              walls_, plan_.placeOf(eye), plan_.placeOf(patches_[patch].center)))
         seen.push_back(patch);
     }
     return seen;
@@ -205,8 +205,8 @@ private:
   bool
   isBehindColumn(const Vector3d& eye, std::size_t patch) const
   {
-    const Vector2d from = acmap::flatOf(plan_, eye),
-                   to = acmap::flatOf(plan_, patches_[patch].center);
+    const Vector2d from = plan_.placeOf(eye),
+                   to = plan_.placeOf(patches_[patch].center);
     return std::any_of(
         plan_.columns.begin(), plan_.columns.end(), [&](const PlanColumn& column) {
           return acmap::distanceToSegment(from, to, column.center) < column.radius;
@@ -237,6 +237,101 @@ thinned(const std::vector<UnseenPatch>& patches)
   }
   return thin;
 }
+
+/** \brief A stand and one of its views, and the area that it uncovers, square metres. */
+struct ChosenView {
+  std::size_t stand, view;
+  double area;
+};
+
+/** \brief What most of an uncovered area is, and its middle. */
+struct LookedAt {
+  SurfaceRole role;
+  Vector3d middle;
+};
+
+/** \brief Chooses the view that uncovers most, one after another. */
+class PositionChoice {
+public:
+  /** \param[in] seen the patches that each stand sees, ascending */
+  PositionChoice(const std::vector<UnseenPatch>& patches,
+                 const std::vector<Stand>& stands,
+                 const std::vector<std::vector<std::size_t>>& seen,
+                 const std::vector<View>& views)
+  : patches_(patches)
+  , stands_(stands)
+  , seen_(seen)
+  , views_(views)
+  , is_covered_(patches.size(), 0)
+  {}
+
+  void
+  setFieldOfView(double horizontal, double vertical, double reach)
+  {
+    right_ = std::tan(horizontal / 2);
+    above_ = std::tan(vertical / 2);
+    reach_ = reach;
+  }
+
+  /** \return nothing if no view uncovers enough */
+  std::optional<ChosenView>
+  best() const
+  {
+    constexpr double min_uncovered = 0.2; // square metres
+    ChosenView best{0, 0, min_uncovered};
+    for (std::size_t stand = 0; stand < stands_.size(); ++stand)
+      for (std::size_t view = 0; view < views_.size(); ++view) {
+        double area = 0;
+        for (const std::size_t patch : seen_[stand])
+          if (isUncoveredBy(stand, view, patch))
+            area += patches_[patch].area;
+        if (area > best.area)
+          best = {stand, view, area};
+      }
+    return best.area > min_uncovered ? std::optional(best) : std::nullopt;
+  }
+
+  /** \brief Counts what a view shows as covered. */
+  LookedAt
+  take(const ChosenView& chosen)
+  {
+    std::map<SurfaceRole, std::pair<double, Vector3d>> parts; // area, its moment
+    for (const std::size_t patch : seen_[chosen.stand])
+      if (isUncoveredBy(chosen.stand, chosen.view, patch)) {
+        is_covered_[patch] = 1;
+        auto& [area, moment] =
+            parts.emplace(patches_[patch].role, std::pair(0.0, Vector3d::Zero().eval()))
+                .first->second;
+        area += patches_[patch].area;
+        moment += patches_[patch].area * patches_[patch].center;
+      }
+    const auto largest =
+        std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+          return a.second.first < b.second.first;
+        });
+    return {largest->first, largest->second.second / largest->second.first};
+  }
+
+private:
+  bool
+  isUncoveredBy(std::size_t stand, std::size_t view, std::size_t patch) const
+  {
+    if (is_covered_[patch] != 0)
+      return false;
+    const Vector3d ray = patches_[patch].center - stands_[stand].eye;
+    const double depth = ray.dot(views_[view].ahead);
+    return depth > 0 && depth <= reach_ &&
+           std::abs(ray.dot(views_[view].right)) <= right_ * depth &&
+           std::abs(ray.dot(views_[view].above)) <= above_ * depth;
+  }
+
+  const std::vector<UnseenPatch>& patches_;
+  const std::vector<Stand>& stands_;
+  const std::vector<std::vector<std::size_t>>& seen_;
+  const std::vector<View>& views_;
+  std::vector<char> is_covered_;
+  double right_ = 0, above_ = 0, reach_ = 0; ///< tangents, metres
+};
 
 } // namespace
 
@@ -292,60 +387,23 @@ NextPositions::compute(const CompactMap& map,
       seen[stand] = visibility.seenFrom(stands[stand].eye, reach_);
     });
   });
-  const double right = std::tan(horizontal_ / 2), above = std::tan(vertical_ / 2);
-  const auto isInView = [&](const Vector3d& ray, const View& view) {
-    const double depth = ray.dot(view.ahead);
-    return depth > 0 && depth <= reach_ &&
-           std::abs(ray.dot(view.right)) <= right * depth &&
-           std::abs(ray.dot(view.above)) <= above * depth;
-  };
-  constexpr double min_uncovered = 0.2; // square metres
-  std::vector<char> is_covered(patches.size(), 0);
-  for (int number = 0; number < number_; ++number) {
-    double best = min_uncovered;
-    std::size_t best_stand = 0, best_view = 0;
-    for (std::size_t stand = 0; stand < stands.size(); ++stand)
-      for (std::size_t view = 0; view < views.size(); ++view) {
-        double area = 0;
-        for (const std::size_t patch : seen[stand])
-          if (is_covered[patch] == 0 &&
-              isInView(patches[patch].center - stands[stand].eye, views[view]))
-            area += patches[patch].area;
-        if (area > best) {
-          best = area;
-          best_stand = stand;
-          best_view = view;
-        }
-      }
-    if (!(best > min_uncovered))
+  PositionChoice choice(patches, stands, seen, views);
+  choice.setFieldOfView(horizontal_, vertical_, reach_);
+  while (report_.positions.size() < static_cast<std::size_t>(number_)) {
+    const std::optional<ChosenView> best = choice.best();
+    if (!best)
       break;
+    const Stand& stand = stands[best->stand];
     NextPosition position;
-    position.eye = stands[best_stand].eye;
-    position.direction = views[best_view].ahead;
-    position.uncovered = best;
-    position.room = static_cast<std::int32_t>(stands[best_stand].room);
-    std::map<SurfaceRole, std::pair<double, Vector3d>> parts; // area, its moment
-    for (const std::size_t patch : seen[best_stand])
-      if (is_covered[patch] == 0 &&
-          isInView(patches[patch].center - position.eye, views[best_view])) {
-        is_covered[patch] = 1;
-        auto& [area, moment] =
-            parts.emplace(patches[patch].role, std::pair(0.0, Vector3d::Zero().eval()))
-                .first->second;
-        area += patches[patch].area;
-        moment += patches[patch].area * patches[patch].center;
-      }
-    const auto largest =
-        std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
-          return a.second.first < b.second.first;
-        });
-    position.words = acmap::wordsOf(position,
-                                    largest->second.second / largest->second.first,
-                                    largest->first,
-                                    map,
-                                    plan);
+    position.eye = stand.eye;
+    position.direction = views[best->view].ahead;
+    position.uncovered = best->area;
+    position.room = static_cast<std::int32_t>(stand.room);
+    const LookedAt looked = choice.take(*best);
+    position.words = acmap::wordsOf(position, looked.middle, looked.role, map, plan);
     report_.positions.push_back(std::move(position));
-    progress.tell((number + 1.0) / number_, "choosing positions");
+    progress.tell(static_cast<double>(report_.positions.size()) / number_,
+                  "choosing positions");
   }
   timer.finish("next positions");
 }

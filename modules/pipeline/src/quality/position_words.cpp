@@ -54,7 +54,7 @@ usualPlace(const CompactMap& map, const FloorPlan& plan, std::int32_t room)
                : Vector2d::Zero();
   Vector2d sum = Vector2d::Zero();
   for (const Eigen::Isometry3d& pose : map.trajectory.poses)
-    sum += flatOf(plan, pose.translation());
+    sum += plan.placeOf(pose.translation());
   return sum / static_cast<double>(map.trajectory.poses.size());
 }
 
@@ -102,7 +102,7 @@ besideFurniture(const Vector2d& place, const Vector2d& usual, const FloorPlan& p
 std::string
 fromWall(const NextPosition& position, const CompactMap& map, const FloorPlan& plan)
 {
-  const Vector2d place = flatOf(plan, position.eye);
+  const Vector2d place = plan.placeOf(position.eye);
   const PlanWall* nearest = nullptr;
   double distance = std::numeric_limits<double>::infinity();
   for (const PlanWall& wall : plan.walls)
@@ -128,7 +128,7 @@ fromOpening(const Vector2d& place, const CompactMap& map, const FloorPlan& plan)
   double distance = near;
   for (const MapOpening& opening : map.openings)
     if (const double its = distanceToSegment(
-            flatOf(plan, opening.from), flatOf(plan, opening.to), place);
+            plan.placeOf(opening.from), plan.placeOf(opening.to), place);
         its < distance) {
       nearest = &opening;
       distance = its;
@@ -174,7 +174,7 @@ wordsOf(const NextPosition& position,
         const CompactMap& map,
         const FloorPlan& plan)
 {
-  const Vector2d place = flatOf(plan, position.eye);
+  const Vector2d place = plan.placeOf(position.eye);
   const std::string furniture =
       besideFurniture(place, usualPlace(map, plan, position.room), plan);
   std::string words = furniture.empty()

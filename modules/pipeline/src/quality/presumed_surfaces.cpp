@@ -22,12 +22,6 @@ constexpr double cell = 0.25; // metres
 /** \brief Share of what is presumed that is there: a corridor goes on, a room may end soon. */
 constexpr double expected_of_corridor = 0.9, expected_of_room = 0.3;
 
-double
-crossOf(const Vector2d& a, const Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 bool
 cross(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d)
 {
@@ -46,10 +40,10 @@ public:
   {
     for (const UnseenPatch& patch : unseen.patches)
       if (patch.is_open) {
-        const Vector2d place = flatOf(plan, patch.center);
-        const double height = patch.center.dot(plan.up) - plan.floor;
+        const Vector2d place = plan.placeOf(patch.center);
+        const double height = plan.heightOf(patch.center);
         if (ends_.empty() || ends_.back().place != place) // once for all heights
-          ends_.push_back({place, -flatOf(plan, patch.normal), patch.room});
+          ends_.push_back({place, -plan.placeOf(patch.normal), patch.room});
         heights_[patch.room] = std::max(heights_[patch.room], height);
       }
   }
@@ -101,8 +95,8 @@ private:
   isInLineWithWall(const UnseenPatch& patch) const
   {
     constexpr double near = 0.35, longest = 8, max_sine = 0.2; // metres
-    const Vector2d place = flatOf(plan_, patch.center),
-                   normal = flatOf(plan_, patch.normal).normalized();
+    const Vector2d place = plan_.placeOf(patch.center),
+                   normal = plan_.placeOf(patch.normal).normalized();
     return std::any_of(
         plan_.walls.begin(), plan_.walls.end(), [&](const PlanWall& wall) {
           const Vector2d way = (wall.to - wall.from).normalized();
@@ -119,7 +113,7 @@ private:
   {
     return std::any_of(
         plan_.rooms.begin(), plan_.rooms.end(), [&](const PlanRoom& room) {
-          return isInLoop(room.outline, place);
+          return isInside(room.outline, place);
         });
   }
 
@@ -248,7 +242,7 @@ private:
     for (double along = cell / 2; along < length; along += cell)
       for (double up = cell / 2; up < height; up += cell)
         presumed_.patches.push_back(
-            {pointOfPlan(plan_, wall.from + along / length * (wall.to - wall.from), up),
+            {plan_.pointAt(wall.from + along / length * (wall.to - wall.from), up),
              normal,
              expected * cell * cell,
              SurfaceRole::Wall,
@@ -271,7 +265,7 @@ private:
           isInCorridor(place) ? expected_of_corridor : expected_of_room;
       for (const bool is_ceiling : {false, true})
         presumed_.patches.push_back(
-            {pointOfPlan(plan_, place, is_ceiling ? heights_.at(next.room) : 0),
+            {plan_.pointAt(place, is_ceiling ? heights_.at(next.room) : 0),
              is_ceiling ? (-plan_.up).eval() : plan_.up,
              expected * cell * cell,
              is_ceiling ? SurfaceRole::Ceiling : SurfaceRole::Floor,

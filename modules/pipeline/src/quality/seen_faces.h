@@ -46,7 +46,7 @@ public:
   {
     const Eigen::Vector2d place = flat(point);
     for (const Face& face : faces_)
-      if (face.box.contains(place) && isInLoops(face.loops, place))
+      if (face.box.contains(place) && isInside(face.loops, place))
         return true;
     return false;
   }

@@ -64,7 +64,7 @@ private:
     for (const std::size_t plane : planes)
       if (const PlanePatch& one = map.planes.at(plane);
           one.label.role == SurfaceRole::Ceiling && one.area > 0) {
-        sum += one.area * (one.center.dot(plan_.up) - plan_.floor);
+        sum += one.area * plan_.heightOf(one.center);
         area += one.area;
       }
     constexpr double lowest = 1.5; // metres
@@ -126,16 +126,16 @@ private:
     for (double y = box.min().y() + size / 2; y < box.max().y(); y += size)
       for (double x = box.min().x() + size / 2; x < box.max().x(); x += size) {
         const Vector2d place(x, y);
-        if (!acmap::isInLoop(outline, place))
+        if (!acmap::isInside(outline, place))
           continue;
         if (!isUnderFurniture(place))
           add(isFloorSeen(place),
-              acmap::pointOfPlan(plan_, place, 0),
+              plan_.pointAt(place, 0),
               plan_.up,
               size * size,
               SurfaceRole::Floor,
               room);
-        const Vector3d above = acmap::pointOfPlan(plan_, place, height);
+        const Vector3d above = plan_.pointAt(place, height);
         add(isCeilingSeen(above),
             above,
             -plan_.up,
@@ -150,7 +150,7 @@ private:
   {
     return std::any_of(
         plan_.furniture.begin(), plan_.furniture.end(), [&](const PlanFurniture& one) {
-          return acmap::isInLoop(one.outline, place);
+          return acmap::isInside(one.outline, place);
         });
   }
 
@@ -159,7 +159,7 @@ private:
   {
     return std::any_of(
         plan_.floors.begin(), plan_.floors.end(), [&](const auto& loops) {
-          return acmap::isInLoops(loops, place);
+          return acmap::isInside(loops, place);
         });
   }
 
@@ -190,7 +190,7 @@ private:
     constexpr double near = 0.35; // metres
     return std::any_of(
         plan_.furniture.begin(), plan_.furniture.end(), [&](const PlanFurniture& one) {
-          return height < one.top && (acmap::isInLoop(one.outline, place) ||
+          return height < one.top && (acmap::isInside(one.outline, place) ||
                                       acmap::distanceToLoop(one.outline, place) < near);
         });
   }
@@ -202,9 +202,8 @@ private:
     for (const MapOpening* opening : openings_) {
       const double top = std::isfinite(opening->top) ? opening->top : usual_top;
       if (height > opening->bottom - margin && height < top + margin &&
-          acmap::distanceToSegment(acmap::flatOf(plan_, opening->from),
-                                   acmap::flatOf(plan_, opening->to),
-                                   place) < near)
+          acmap::distanceToSegment(
+              plan_.placeOf(opening->from), plan_.placeOf(opening->to), place) < near)
         return true;
     }
     return false;
@@ -259,7 +258,7 @@ private:
           const double at = (row + 0.5) / rows * height;
           if (isInOpening(place, at))
             continue;
-          const Vector3d point = acmap::pointOfPlan(plan_, place, at);
+          const Vector3d point = plan_.pointAt(place, at);
           const bool is_seen = isWallSeen(point, inwards);
           if (is_seen || !isBehindFurniture(place, at))
             add(is_seen, point, inwards, area, SurfaceRole::Wall, room, is_open);

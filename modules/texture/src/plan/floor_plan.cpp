@@ -1,11 +1,11 @@
 #include <pcl/texture/floor_plan.h>
-#include <pcl/texture/impl/polygon_inside.h>
 
 #include "plan/opening_faces.h"
 #include "plan/plan_contents.h"
 #include "plan/room_outline.h"
 #include "plan/unseen_borders.h"
 
+#include <pcl/core/impl/planar_geometry.h>
 #include <pcl/core/map_up.h>
 
 #include <Eigen/Geometry>
@@ -324,15 +324,9 @@ public:
 
 private:
   Vector2d
-  flat(const Vector3d& place) const
-  {
-    return {place.dot(plan_.x_axis), place.dot(plan_.y_axis)};
-  }
-
-  Vector2d
   flat(const Wall& wall, double along) const
   {
-    return flat(wall.point(along, plan_.cut));
+    return plan_.placeOf(wall.point(along, plan_.cut));
   }
 
   /** \brief Turns the axes by at most 45 degrees, so that walls are along them, if most
@@ -343,7 +337,7 @@ private:
     std::complex<double> sum = 0; // of directions modulo 90 degrees
     double area = 0;
     for (const Wall& wall : walls_) {
-      const Vector2d normal = flat(wall.normal());
+      const Vector2d normal = plan_.placeOf(wall.normal());
       sum += map.planes[wall.plane()].area *
              std::polar(1.0, 4 * std::atan2(normal.y(), normal.x()));
       area += map.planes[wall.plane()].area;
@@ -445,7 +439,7 @@ private:
     for (const std::vector<Vector3d>& loop : loopsOf(polygon)) {
       loops.emplace_back();
       for (const Vector3d& place : loop)
-        loops.back().push_back(flat(place));
+        loops.back().push_back(plan_.placeOf(place));
     }
     return loops;
   }
@@ -489,7 +483,7 @@ private:
   {
     constexpr double off = 0.025, min_cosine = 0.95; // metres
     const Vector2d from = flat(wall, 0), along = flat(wall, 1) - from;
-    const Vector2d front = flat(wall.normal());
+    const Vector2d front = plan_.placeOf(wall.normal());
     std::vector<Interval> pieces = wall.section(plan_.cut);
     const Interval near{pieces.front().begin - widest_window,
                         pieces.back().end + widest_window};
@@ -552,7 +546,7 @@ private:
   isAbutted(const Wall& wall, double along) const
   {
     constexpr double beside = 0.05, in_front = 0.15, max_cosine = 0.3; // metres
-    const Vector2d place = flat(wall, along), front = flat(wall.normal());
+    const Vector2d place = flat(wall, along), front = plan_.placeOf(wall.normal());
     return std::any_of(
         plan_.walls.begin(), plan_.walls.end(), [&](const PlanWall& other) {
           const double from = front.dot(other.from - place),
@@ -747,7 +741,7 @@ private:
         frame.bottom = part.end;
     frame.is_walled = frame.bottom > 0;
     if (!frame.is_walled)
-      frame.bottom = sillAt(flat(wall, along), flat(wall.normal()));
+      frame.bottom = sillAt(flat(wall, along), plan_.placeOf(wall.normal()));
     return frame;
   }
 
@@ -820,7 +814,7 @@ private:
   {
     constexpr double from = 0.02, reach = 1; // metres
     const Vector2d middle = flat(wall, (begin + end) / 2);
-    const Vector2d front = flat(wall.normal());
+    const Vector2d front = plan_.placeOf(wall.normal());
     return std::any_of(
         plan_.walls.begin(), plan_.walls.end(), [&](const PlanWall& other) {
           return meet(
@@ -1201,9 +1195,7 @@ makeFloorPlan(const CompactMap& map)
 void
 setRooms(const FloorPlan& plan, CompactMap& map)
 {
-  const auto onFloor = [&](const Vector2d& place) -> Vector3d {
-    return place.x() * plan.x_axis + place.y() * plan.y_axis + plan.floor * plan.up;
-  };
+  const auto onFloor = [&](const Vector2d& place) { return plan.pointAt(place, 0); };
   map.rooms.clear();
   for (const PlanRoom& room : plan.rooms)
     map.rooms.push_back({onFloor(room.center),

@@ -60,7 +60,7 @@ public:
         for (const PlanePolygon& polygon : plane.polygons)
           for (const Eigen::Vector3f& place : polygon.outer)
             if (place.allFinite())
-              walls_top_ = std::max(walls_top_, heightOf(place.cast<double>()));
+              walls_top_ = std::max(walls_top_, plan_.heightOf(place.cast<double>()));
     for (const BoxPatch& box : map.boxes)
       if (isFurniture(box))
         addSides(box);
@@ -95,19 +95,6 @@ public:
   }
 
 private:
-  Vector2d
-  flat(const Vector3d& place) const
-  {
-    return {place.dot(plan_.x_axis), place.dot(plan_.y_axis)};
-  }
-
-  /** \brief Above the floor, metres. */
-  double
-  heightOf(const Vector3d& place) const
-  {
-    return place.dot(plan_.up) - plan_.floor;
-  }
-
   /** \brief Has a plane about an area, so that it is no wall that goes on? */
   bool
   isOfSize(std::int32_t plane, double area) const
@@ -149,8 +136,8 @@ private:
   {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Vector3d& corner : cornersOf(box)) {
-      low = std::min(low, heightOf(corner));
-      high = std::max(high, heightOf(corner));
+      low = std::min(low, plan_.heightOf(corner));
+      high = std::max(high, plan_.heightOf(corner));
     }
     return {low, high};
   }
@@ -207,7 +194,7 @@ private:
   {
     std::vector<Vector2d> corners;
     for (const Vector3d& corner : cornersOf(box))
-      corners.push_back(flat(corner));
+      corners.push_back(plan_.placeOf(corner));
     plan_.furniture.push_back({hullOf(std::move(corners)), heightsOf(box).second});
   }
 
@@ -223,14 +210,15 @@ private:
         (role != SurfaceRole::Furniture && role != SurfaceRole::Other) ||
         box_planes_.count(static_cast<std::int32_t>(number)) > 0)
       return;
-    const double height = heightOf(plane.polygons.front().outer.front().cast<double>());
+    const double height =
+        plan_.heightOf(plane.polygons.front().outer.front().cast<double>());
     if (!(height > lowest_furniture && height < plan_.cut - plan_.floor))
       return;
     for (const PlanePolygon& polygon : plane.polygons) {
       std::vector<Vector2d> outline;
       for (const Eigen::Vector3f& place : polygon.outer)
         if (place.allFinite())
-          outline.push_back(flat(place.cast<double>()));
+          outline.push_back(plan_.placeOf(place.cast<double>()));
       if (outline.size() > 2 && !isInOpening(outline))
         plan_.furniture.push_back({std::move(outline), height});
     }
@@ -262,20 +250,20 @@ private:
     if (!(std::abs(cylinder.axis_direction.dot(plan_.up)) > level_cosine) ||
         !low.allFinite() || !high.allFinite() || !(cylinder.radius > 0))
       return;
-    const auto [bottom, top] = std::minmax(heightOf(low), heightOf(high));
+    const auto [bottom, top] = std::minmax(plan_.heightOf(low), plan_.heightOf(high));
     const double cut = plan_.cut - plan_.floor;
-    const Vector2d middle = flat(cylinder.axis_u);
+    const Vector2d middle = plan_.placeOf(cylinder.axis_u);
     if (bottom <= cut && top >= cut) {
       const double arc = std::min(cylinder.arc, two_pi);
       const double begin = std::atan2(middle.y(), middle.x()) - arc / 2;
-      const Vector2d center =
-          flat(low +
-               (cut - heightOf(low)) / (heightOf(high) - heightOf(low)) * (high - low));
+      const Vector2d center = plan_.placeOf(
+          low + (cut - plan_.heightOf(low)) /
+                    (plan_.heightOf(high) - plan_.heightOf(low)) * (high - low));
       plan_.columns.push_back(
           {center, cylinder.radius, begin, begin + arc, cylinder.is_hollow});
     }
     else if (top > lowest_furniture && top < cut && !cylinder.is_hollow)
-      addRound(flat(low), cylinder.radius, top);
+      addRound(plan_.placeOf(low), cylinder.radius, top);
   }
 
   void

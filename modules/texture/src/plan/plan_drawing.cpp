@@ -11,7 +11,7 @@
 #include "plan/unseen_borders.h"
 #include "plan/wall_bodies.h"
 
-#include <pcl/texture/impl/polygon_inside.h>
+#include <pcl/core/impl/planar_geometry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -297,7 +297,7 @@ private:
                            const auto quad = quadOf(text, drawing_.scale);
                            return std::all_of(
                                quad.begin(), quad.end(), [&](const Vector2d& corner) {
-                                 return isInside({room.outline}, corner);
+                                 return isInside(room.outline, corner);
                                });
                          }) &&
              places_.areFree(texts, drawing_.scale);

@@ -1,5 +1,7 @@
 #include "plan/unseen_borders.h"
 
+#include <pcl/core/impl/planar_geometry.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -13,12 +15,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Border = std::vector<Vector2d>;
-
-double
-crossOf(const Vector2d& a, const Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /** \brief Finds the borders of a plan that are neither walls nor openings. */
 class BorderFinder {

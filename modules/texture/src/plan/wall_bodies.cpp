@@ -2,6 +2,8 @@
 
 #include "plan/opening_faces.h"
 
+#include <pcl/core/impl/planar_geometry.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -19,12 +21,6 @@ struct Face {
   Vector2d from, along, front;
   double length;
 };
-
-double
-cross(const Vector2d& a, const Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 std::vector<Face>
 facesOf(const FloorPlan& plan)
@@ -145,10 +141,10 @@ meetingOf(const Vector2d& a,
           const Vector2d& way_b)
 {
   constexpr double min_sine = 0.25;
-  const double sine = cross(way_a, way_b);
+  const double sine = crossOf(way_a, way_b);
   if (std::abs(sine) < min_sine)
     return {};
-  return a + cross(b - a, way_b) / sine * way_a;
+  return a + crossOf(b - a, way_b) / sine * way_a;
 }
 
 /** \brief Continues the end of one face and the begin of the next one to their corner. */
@@ -214,7 +210,7 @@ nextOf(const Body& one, std::vector<Body>& bodies)
     const double distance = (other.face.from - end).norm();
     constexpr double min_sine = 0.25;
     if (&other != &one && distance < least &&
-        std::abs(cross(one.face.along, other.face.along)) > min_sine) {
+        std::abs(crossOf(one.face.along, other.face.along)) > min_sine) {
       least = distance;
       nearest = &other;
     }

@@ -107,6 +107,28 @@ struct FloorPlan {
   /** \brief Loops of the floor's polygons; a point is on the floor if it is inside of an
    * odd number of the loops of one polygon. */
   std::vector<std::vector<std::vector<Eigen::Vector2d>>> floors;
+
+  /** \brief Where a point, or a direction, of the map is in the plan. */
+  Eigen::Vector2d
+  placeOf(const Eigen::Vector3d& point) const
+  {
+    return {point.dot(x_axis), point.dot(y_axis)};
+  }
+
+  /** \brief Height of a point of the map above the floor, metres. */
+  double
+  heightOf(const Eigen::Vector3d& point) const
+  {
+    return point.dot(up) - floor;
+  }
+
+  /** \brief The point of the map above a place of the plan.
+   * \param[in] height above the floor, metres */
+  Eigen::Vector3d
+  pointAt(const Eigen::Vector2d& place, double height) const
+  {
+    return place.x() * x_axis + place.y() * y_axis + (floor + height) * up;
+  }
 };
 
 /** \brief Makes a floor plan from the polygons of a map.

@@ -1,29 +1,15 @@
 #pragma once
 
-#include <pcl/core/build_config.h>
+#include <pcl/core/impl/planar_geometry.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace pcl::acmap {
-
-/** \brief The squared distance of a point from the segment between two others. */
-inline double
-squaredDistance(const Eigen::Vector2d& point,
-                const Eigen::Vector2d& begin,
-                const Eigen::Vector2d& end)
-{
-  const Eigen::Vector2d way = end - begin;
-  const double square = way.squaredNorm();
-  const double along =
-      square > 0 ? std::clamp((point - begin).dot(way) / square, 0.0, 1.0) : 0.0;
-  return (begin + along * way - point).squaredNorm();
-}
 
 /** \brief Marks the points of a loop, or of a polyline, that have to be kept between two
  * points that are kept, so that all are within \a tolerance (Douglas and Peucker).
