@@ -147,6 +147,31 @@ TEST_F(MapTruth, PiecesCoverAWallTogether)
   EXPECT_EQ(planeOf(figures().aligned, "left wall").cover, 0);
 }
 
+/** Between points on a line are triangles without an area, but for rounding, which also
+ * turns them out of the plane. */
+TEST_F(MapTruth, SliversDoNotTellTheScale)
+{
+  auto& outer = map_.planes[1].polygons[0].outer;
+  const Eigen::Vector3f from = outer[0];
+  outer[1].y() -= 0.7F;
+  const Eigen::Vector3f edge = outer[1] - from;
+  for (int k = 10; k > 0; --k)
+    outer.insert(outer.begin() + 1, from + static_cast<float>(k) / 97 * edge);
+  constexpr double cover = 50 - 0.7 * 20 / 2;
+  for (int angle = 0; angle < 180; angle += 15) {
+    const Eigen::Isometry3d motion = turnAt({0, 0, 0}, angle);
+    CompactMap turned = map_;
+    for (PlanePatch& plane : turned.planes)
+      plane = moved(plane, motion);
+    MappedTrajectory way = way_;
+    for (auto* poses : {&way.before, &way.after})
+      for (Eigen::Isometry3d& T_map_camera : *poses)
+        T_map_camera = motion * T_map_camera;
+    const MapFigures result = compareWithTruth(turned, way, session_.load());
+    EXPECT_NEAR(planeOf(result.aligned, "left wall").cover, cover, 0.2) << angle;
+  }
+}
+
 /** The board, 5 cm in front of the left wall, is within the tolerance for the wall. */
 TEST_F(MapTruth, APlaneStandsForOneOnly)
 {

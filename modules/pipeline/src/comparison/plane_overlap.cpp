@@ -2,11 +2,11 @@
 
 #include <pcl/core/impl/planar_geometry.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <map>
-#include <set>
+#include <limits>
 #include <utility>
 
 namespace pcl::acmap {
@@ -58,89 +58,150 @@ addFan(const std::vector<Eigen::Vector3f>& loop,
 
 using Polygon = std::vector<ChartCorner>;
 
-/** \brief Squares of a rectangle of a true plane, and what covers them. */
+/** \brief Squares of a rectangle of a true plane, and which of them planes cover. */
 class CoveredSquares {
 public:
-  /** \param[in] polygon convex, with an area */
+  /** \param[in] box of all that will be added, texels
+   * \param[in] side of a square, texels */
+  CoveredSquares(const Eigen::AlignedBox2d& box, double side)
+  : low_(box.min())
+  , side_(side)
+  , columns_(squaresOf(box.sizes().x()))
+  , rows_(squaresOf(box.sizes().y()))
+  , windings_((columns_ + 1) * rows_)
+  , is_covered_(columns_ * rows_)
+  {}
+
+  /** \param[in] polygon convex */
   void
   add(const Polygon& polygon)
   {
-    Eigen::Vector2d low = polygon[0].place, high = low;
-    double doubled = 0;
+    double doubled = 0, low = polygon[0].place.y(), high = low;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Eigen::Vector2d& place = polygon[i].place;
-      low = low.cwiseMin(place);
-      high = high.cwiseMax(place);
-      doubled += crossOf(place, polygon[(i + 1) % polygon.size()].place);
+      low = std::min(low, place.y());
+      high = std::max(high, place.y());
+      doubled += crossOf(place - polygon[0].place,
+                         polygon[(i + 1) % polygon.size()].place - polygon[0].place);
     }
-    for (auto row = squareAt(low.y()); row <= squareAt(high.y()); ++row)
-      for (auto column = squareAt(low.x()); column <= squareAt(high.x()); ++column)
-        if (hasMiddle(polygon, doubled, column, row))
-          windings_[{column, row}] += doubled > 0 ? 1 : -1;
+    const int winding = doubled > 0 ? 1 : -1;
+    const std::size_t end = firstMiddle(high - low_.y(), rows_);
+    for (std::size_t row = firstMiddle(low - low_.y(), rows_); row < end; ++row) {
+      const auto [left, right] = cutOf(polygon, middleOf(row) + low_.y());
+      windings_[row * (columns_ + 1) + firstMiddle(left - low_.x(), columns_)] +=
+          winding;
+      windings_[row * (columns_ + 1) + firstMiddle(right - low_.x(), columns_)] -=
+          winding;
+    }
   }
 
   /** \brief What was added since the last call is one plane. */
   void
   finishPlane()
   {
-    for (const auto& [square, winding] : windings_)
-      if (winding != 0)
-        covered_.insert(square);
-    windings_.clear();
+    for (std::size_t row = 0; row < rows_; ++row) {
+      int winding = 0;
+      for (std::size_t column = 0; column < columns_; ++column) {
+        winding += windings_[row * (columns_ + 1) + column];
+        if (winding != 0)
+          is_covered_[row * columns_ + column] = true;
+      }
+    }
+    std::fill(windings_.begin(), windings_.end(), 0);
   }
 
   std::size_t
   count() const
   {
-    return covered_.size();
+    return static_cast<std::size_t>(
+        std::count(is_covered_.begin(), is_covered_.end(), true));
   }
-
-  double side = 1; ///< of a square, texels
 
 private:
-  std::int64_t
-  squareAt(double texel) const
+  std::size_t
+  squaresOf(double texels) const
   {
-    return static_cast<std::int64_t>(std::floor(texel / side));
+    return static_cast<std::size_t>(std::ceil(texels / side_)) + 1;
   }
 
-  bool
-  hasMiddle(const Polygon& polygon,
-            double doubled,
-            std::int64_t column,
-            std::int64_t row) const
+  double
+  middleOf(std::size_t square) const
   {
-    const Eigen::Vector2d middle =
-        side * Eigen::Vector2d(static_cast<double>(column) + 0.5,
-                               static_cast<double>(row) + 0.5);
+    return side_ * (static_cast<double>(square) + 0.5);
+  }
+
+  /** \brief The first square of which the middle is at or behind a place. */
+  std::size_t
+  firstMiddle(double texels, std::size_t end) const
+  {
+    const double square = std::ceil(texels / side_ - 0.5);
+    return static_cast<std::size_t>(std::clamp(square, 0.0, static_cast<double>(end)));
+  }
+
+  /** \brief From where to where a row cuts a polygon. */
+  static std::pair<double, double>
+  cutOf(const Polygon& polygon, double y)
+  {
+    constexpr double far = std::numeric_limits<double>::max();
+    double left = far, right = -far;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Eigen::Vector2d& from = polygon[i].place;
       const Eigen::Vector2d& to = polygon[(i + 1) % polygon.size()].place;
-      if (crossOf(to - from, middle - from) * doubled < 0)
-        return false;
+      if ((from.y() < y) == (to.y() < y))
+        continue;
+      const double x =
+          from.x() + (y - from.y()) / (to.y() - from.y()) * (to.x() - from.x());
+      left = std::min(left, x);
+      right = std::max(right, x);
     }
-    return true;
+    return left <= right ? std::pair(left, right) : std::pair(0.0, 0.0);
   }
 
-  using Square = std::pair<std::int64_t, std::int64_t>;
-
-  std::map<Square, int> windings_; ///< of the plane that is added
-  std::set<Square> covered_;
+  Eigen::Vector2d low_;
+  double side_;
+  std::size_t columns_, rows_;
+  std::vector<int> windings_; ///< of the plane that is added: changes along each row
+  std::vector<bool> is_covered_;
 };
 
-/** \brief Metres of a texel's side, by a polygon; 0 if that has no area. */
-double
-texelSide(const Polygon& polygon)
+/** \brief A plane of the map, cut to a rectangle of a true plane. */
+std::vector<Polygon>
+clippedTo(const ChartClip& rectangle, const PlacedPlane& plane)
 {
-  double places = 0;
-  Eigen::Vector3d points = Eigen::Vector3d::Zero();
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    places += crossOf(polygon[i - 1].place - polygon[0].place,
-                      polygon[i].place - polygon[0].place);
-    points += (polygon[i - 1].point - polygon[0].point)
-                  .cross(polygon[i].point - polygon[0].point);
-  }
-  return places == 0 ? 0 : std::sqrt(points.norm() / std::abs(places));
+  std::vector<Polygon> polygons;
+  for (const auto& triangle : plane.fans)
+    if (Polygon polygon = rectangle.clipped(triangle); polygon.size() > 2)
+      polygons.push_back(std::move(polygon));
+  return polygons;
+}
+
+/** \brief Extent and scale of what is on a rectangle. */
+struct Extent {
+  Eigen::AlignedBox2d box; ///< texels
+  double texel = 0;        ///< metres of its side; 0 if nothing has an area
+};
+
+/** \brief The scale is that of all polygons together, since slivers tell it badly. */
+Extent
+extentOf(const std::vector<std::vector<Polygon>>& planes)
+{
+  Extent extent;
+  double places = 0, points = 0;
+  for (const std::vector<Polygon>& polygons : planes)
+    for (const Polygon& polygon : polygons)
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        extent.box.extend(polygon[i].place);
+        if (i < 2)
+          continue;
+        places += std::abs(crossOf(polygon[i - 1].place - polygon[0].place,
+                                   polygon[i].place - polygon[0].place));
+        points += (polygon[i - 1].point - polygon[0].point)
+                      .cross(polygon[i].point - polygon[0].point)
+                      .norm();
+      }
+  if (places > 0)
+    extent.texel = std::sqrt(points / places);
+  return extent;
 }
 
 } // namespace
@@ -175,22 +236,21 @@ overlapOf(const PlacedPlane& found, const TruePlane& truth)
 double
 coverOf(const std::vector<PlacedPlane>& found, const TruePlane& truth)
 {
-  constexpr double square = 0.02; // metres
+  constexpr double finest = 0.02, max_squares = 4e6; // metres; of a rectangle
   double area = 0;
   for (const ChartClip& rectangle : truth.rectangles) {
-    CoveredSquares squares;
-    bool has_side = false;
-    for (const PlacedPlane& plane : found) {
-      for (const auto& triangle : plane.fans) {
-        const Polygon polygon = rectangle.clipped(triangle);
-        const double side = texelSide(polygon);
-        if (side == 0)
-          continue;
-        if (!has_side)
-          squares.side = square / side;
-        has_side = true;
+    std::vector<std::vector<Polygon>> planes;
+    for (const PlacedPlane& plane : found)
+      planes.push_back(clippedTo(rectangle, plane));
+    const Extent extent = extentOf(planes);
+    if (extent.texel == 0)
+      continue;
+    const double square =
+        std::max(finest, extent.texel * std::sqrt(extent.box.volume() / max_squares));
+    CoveredSquares squares(extent.box, square / extent.texel);
+    for (const std::vector<Polygon>& polygons : planes) {
+      for (const Polygon& polygon : polygons)
         squares.add(polygon);
-      }
       squares.finishPlane();
     }
     area += square * square * static_cast<double>(squares.count());
