@@ -1,5 +1,6 @@
 #include "memory.h"
 #include "output_target.h"
+#include "setter_option.h"
 #include "simulated_rig/session.h"
 #include "tool.h"
 
@@ -72,6 +73,11 @@ addLightOptions(CLI::App& app, pcl::SimulatedLight& light)
                  "The projector's light on a surface 2 m before it, in the unit of "
                  "--ambient")
       ->type_name("SHARE");
+  app.add_option("--aperture",
+                 light.projector.aperture_radius,
+                 "Radius of what the projector lights, around the middle of its "
+                 "pattern, pixels of the pattern")
+      ->type_name("PX");
   app.add_option("--exposure", light.exposure, "Factor on all light")
       ->type_name("FACTOR");
   app.add_option("--read-noise",
@@ -101,6 +107,13 @@ addFrameOptions(CLI::App& app, SimulationOptions& options)
          "without")
       ->type_name("N")
       ->check(CLI::Range(std::uint32_t{1}, max_patterns).description(""));
+  addSetter(app,
+            "--lines",
+            options.settings.lines,
+            &pcl::RandomLinePattern::setNumberOfLines,
+            &pcl::RandomLinePattern::getNumberOfLines,
+            "Lines of a pattern",
+            "N");
   app.add_option("--cameras",
                  options.cameras,
                  "Cameras as they are built, with distortion and out of line, in place "
@@ -192,9 +205,11 @@ requireSense(Tool& tool, const SimulationOptions& options)
         throw UsageError(std::string(name) + " needs --clouds");
   if (options.clouds)
     for (const char* const name : {"--patterns",
+                                   "--lines",
                                    "--cameras",
                                    "--ambient",
                                    "--projector-power",
+                                   "--aperture",
                                    "--exposure",
                                    "--read-noise",
                                    "--shot-noise",
@@ -434,6 +449,7 @@ makeSession(const SimulationOptions& options,
                  {"seed", settings.seed},
                  {"observations", settings.observations},
                  {"patterns", settings.patterns},
+                 {"lines", settings.lines.getNumberOfLines()},
                  {"frames", counts.frames},
                  {"lit_share", lit}};
   if (!options.cameras.empty())

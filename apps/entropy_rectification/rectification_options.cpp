@@ -118,6 +118,14 @@ addRectificationChoices(Tool& tool, RectificationOptions& options)
             "Edge of the entropy's finest bins, metres",
             "M")
       ->default_str("0.05, of a log 0.1");
+  addSetter<double>(
+      app,
+      "--mu",
+      [&options](double mu) { options.stage.setProjectionWeight(mu); },
+      "mu of Eq. 3, the weight of the entropies along the main directions of the "
+      "building; it harms where walls are neither parallel nor orthogonal",
+      "M")
+      ->default_str("0; with --mode paper 0.1");
   addOdometryNoise(app, options);
   tool.addSeed(options.stage.getSeed(),
                [&options](std::uint64_t seed) { options.stage.setSeed(seed); });

@@ -2,7 +2,6 @@
 
 #include "memory.h"
 
-#include <pcl/acquisition/random_line_pattern.h>
 #include <pcl/acquisition/trinocular_recorder.h>
 #include <pcl/core/build_config.h>
 #include <pcl/core/file_format.h>
@@ -88,7 +87,7 @@ makePatterns(const SessionSettings& settings, const SimulatedProjector& projecto
                     static_cast<std::size_t>(projector.width) *
                     static_cast<std::size_t>(projector.height),
                 "the patterns");
-  RandomLinePattern lines;
+  RandomLinePattern lines = settings.lines;
   lines.setSize(projector.width, projector.height);
   lines.setSeed(settings.seed);
   std::vector<RgbImage> patterns;
@@ -190,9 +189,11 @@ saveSessionTruth(const std::string& path,
   const SimulatedLight& light = settings.light;
   auto json = truthHead(filmed.scene, settings.seed, settings.observations);
   json["patterns"] = settings.patterns;
+  json["lines"] = settings.lines.getNumberOfLines();
   json["frames"] = filmed.cameras ? "raw" : "rectified";
   json["light"] = {{"ambient", light.ambient},
                    {"projector_power", light.projector.power},
+                   {"aperture", light.projector.aperture_radius},
                    {"exposure", light.exposure},
                    {"blur", light.blur},
                    {"vignetting", light.vignetting}};

@@ -2,6 +2,7 @@
 
 #include "stage_log.h"
 
+#include <pcl/acquisition/random_line_pattern.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/core/rig_calibration.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
@@ -62,6 +63,7 @@ setBuiltCameras(const std::string& path, FilmedScene& filmed);
 struct SessionSettings {
   std::size_t observations = 0; ///< at least 1
   std::uint32_t patterns = 10;
+  RandomLinePattern lines; ///< of a pattern; its size and seed are not used
   SimulatedLight light;
   std::uint64_t seed = 1;
 };
