@@ -1,78 +1,27 @@
 #include "planes/paper_growth.h"
 
-#include "planes/radius_grid.h"
+#include "planes/unreached_points.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace pcl::acmap::planes {
 
 namespace {
 
-/** The hypotheses that support no plane so far. */
-class OpenHypotheses {
-public:
-  OpenHypotheses(const CellGraph& graph, double reach)
-  : points_(graph.points)
-  , reach_(reach)
-  {
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      if (graph.hasNormal(i))
-        ++size_;
-      else
-        leaveOut(points_[i]);
-    index();
-  }
-
-  bool
-  contains(std::int32_t i) const
-  {
-    return points_[static_cast<std::size_t>(i)].allFinite();
-  }
-
-  /** Calls visit (j) for each one that is nearer than W_d to hypothesis i, and for i
-   * itself. */
-  template <typename Visit>
-  void
-  visitNear(std::int32_t i, const Visit& visit) const
-  {
-    grid_->visitNear(points_[static_cast<std::size_t>(i)], visit);
-  }
-
-  void
-  close(const std::vector<std::int32_t>& members)
-  {
-    for (const std::int32_t member : members)
-      leaveOut(points_[static_cast<std::size_t>(member)]);
-    size_ -= members.size();
-    if (2 * size_ < indexed_)
-      index();
-  }
-
-private:
-  /** A point that is not finite is nobody's neighbour. */
-  static void
-  leaveOut(Eigen::Vector3d& point)
-  {
-    point.setConstant(std::numeric_limits<double>::quiet_NaN());
-  }
-
-  void
-  index()
-  {
-    grid_.emplace(points_, reach_);
-    indexed_ = size_;
-  }
-
-  LargeVector<Eigen::Vector3d> points_; ///< NaN if not open
-  double reach_;                        ///< metres
-  std::optional<RadiusGrid> grid_;
-  std::size_t size_ = 0, indexed_ = 0;
-};
+/** The points of the hypotheses; NaN for a point without a normal. */
+LargeVector<Eigen::Vector3d>
+pointsOfHypotheses(const CellGraph& graph)
+{
+  LargeVector<Eigen::Vector3d> points = graph.points;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!graph.hasNormal(i))
+      points[i].setConstant(std::numeric_limits<double>::quiet_NaN());
+  return points;
+}
 
 /** Is it a plane, or do the points lie on one line, within a thousandth of its
  * length? */
@@ -92,14 +41,17 @@ public:
   : graph_(graph)
   , thresholds_(thresholds)
   , report_(report)
-  , open_(graph, thresholds.member_distance)
-  , is_reached_(graph.points.size(), false)
+  , points_(pointsOfHypotheses(graph))
+  , is_closed_(points_.size(), false)
+  , open_(points_, thresholds.member_distance)
   {}
 
+  /** Is it a hypothesis that supports no plane so far? */
   bool
   isOpen(std::int32_t i) const
   {
-    return open_.contains(i);
+    return !is_closed_[static_cast<std::size_t>(i)] &&
+           points_[static_cast<std::size_t>(i)].allFinite();
   }
 
   /** Adds the plane of a hypothesis if it has enough supporters. */
@@ -108,10 +60,14 @@ public:
   {
     ++report_.tested_hypotheses;
     GrownPlane plane = planeOf(i);
+    open_.restore();
     const std::size_t supporters = plane.members.size() - 1; // without i itself
     if (supporters <= thresholds_.support || areCoincident(plane.members))
       return;
-    open_.close(plane.members);
+    for (const std::int32_t member : plane.members) {
+      open_.remove(member);
+      is_closed_[static_cast<std::size_t>(member)] = true;
+    }
     plane.area = graph_.areaOf(plane.members);
     planes.push_back(std::move(plane));
   }
@@ -138,31 +94,18 @@ private:
     });
   }
 
-  void
-  reachOnly(std::int32_t i)
-  {
-    for (const std::int32_t j : reached_)
-      is_reached_[static_cast<std::size_t>(j)] = false;
-    reached_ = {i};
-    is_reached_[static_cast<std::size_t>(i)] = true;
-    candidates_.clear();
-  }
-
   /** All hypotheses j other than i within W_d of new members and W_n of n_i become
    * candidates, in their order. */
   void
   collectCandidates(std::int32_t i, const std::int32_t* first, const std::int32_t* last)
   {
     const Eigen::Vector3d front = normal(i).cast<double>();
+    const auto qualifies = [&](std::int32_t j) {
+      return normal(j).cast<double>().dot(front) > thresholds_.cosine;
+    };
     for (; first != last; ++first)
-      open_.visitNear(*first, [&](std::int32_t j) {
-        if (is_reached_[static_cast<std::size_t>(j)] ||
-            normal(j).cast<double>().dot(front) <= thresholds_.cosine)
-          return;
-        is_reached_[static_cast<std::size_t>(j)] = true;
-        reached_.push_back(j);
-        candidates_.push_back(j);
-      });
+      open_.reachNear(
+          *first, qualifies, [&](std::int32_t j) { candidates_.push_back(j); });
     std::sort(candidates_.begin(), candidates_.end());
   }
 
@@ -172,7 +115,8 @@ private:
   GrownPlane
   planeOf(std::int32_t i)
   {
-    reachOnly(i);
+    candidates_.clear();
+    open_.reach(i);
     const Eigen::Vector3d front = normal(i).cast<double>().normalized();
     Plane plane{front, 0};
     Moments moments = momentsOf(Eigen::Vector3d::Zero());
@@ -209,10 +153,10 @@ private:
   const CellGraph& graph_;
   PaperThresholds thresholds_;
   PlaneClusteringReport& report_;
-  OpenHypotheses open_;
+  LargeVector<Eigen::Vector3d> points_; ///< \ref pointsOfHypotheses
+  std::vector<bool> is_closed_;         ///< supports a plane
+  UnreachedPoints open_;                ///< by the plane that is grown
   std::vector<std::int32_t> candidates_;
-  std::vector<std::int32_t> reached_; ///< by the plane that is grown
-  std::vector<bool> is_reached_;
 };
 
 } // namespace

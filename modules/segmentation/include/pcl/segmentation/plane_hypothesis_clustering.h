@@ -164,15 +164,16 @@ private:
  *
  * With \ref PlaneClusteringParameters::setNoiseDriven (false), the planes are those of the paper to the letter. A
  * hypothesis i is supported by each other hypothesis j whose point is within W_d of p_i
- * and within W_t of the plane, and whose normal is within W_n of n_i. The plane is
- * estimated again with every supporter, and accepted if there are more than W_h of them.
- * Nothing is merged, added or removed afterwards. Such planes are at most 2 W_d = 1.6 m
- * across, so that one wall comes as many planes, and with a W_t of 0.25 m doors are part
- * of their walls.
+ * or of another supporter (\ref PlaneClusteringParameters::setSupporterReach) and within
+ * W_t of the plane, and whose normal is within W_n of n_i. The plane is estimated again
+ * with every supporter, and accepted if there are more than W_h of them. Nothing is
+ * merged, added or removed afterwards. With a W_t of 0.25 m doors are part of their
+ * walls.
  *
  * Units are metres, in the frame of the cloud. Plane normals have the direction of the
  * normals of the points. The result is the same in every run and for any number of
- * threads. The time is O(n); with the paper's thresholds, O(n m) for m points within W_d.
+ * threads. The time is O(n); with the paper's thresholds, O(n + k m) for k hypotheses that are on
+ * no plane and m points within W_d.
  * \code
  * pcl::PlaneHypothesisClustering<pcl::PointNormal> clustering;
  * clustering.setInputCloud (consolidated);
