@@ -5,6 +5,7 @@
 
 #include <pcl/core/image_file.h>
 #include <pcl/core/impl/base64.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/output_file.h>
 #include <pcl/pipeline/map_quality.h>
 
@@ -118,7 +119,7 @@ shown(const Json& value, const std::string& format)
   if (format == "percent")
     return numberText(100 * *number) + " %";
   if (format == "ratio")
-    return fixedText(std::floor(*number), 0) + " : 1";
+    return ratioText(*number);
   if (format == "seconds")
     return secondsText(*number);
   return numberText(*number) + " " + format + (*number == 1 ? "" : "s");

@@ -5,6 +5,7 @@
 #include "stage_reports.h"
 
 #include <pcl/core/impl/length_remarks.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/pipeline/cost_callback.h>
 #include <pcl/pipeline/detail_mesh.h>
 #include <pcl/point_types.h>
@@ -205,7 +206,8 @@ tellCompactness(std::size_t points,
   }
   const auto ratio = [&](const char* of) {
     const auto size = bytes[of].get<std::size_t>();
-    return std::to_string(raw / std::max<std::size_t>(size, 1)) + " : 1";
+    return ratioText(static_cast<double>(raw) /
+                     static_cast<double>(std::max<std::size_t>(size, 1)));
   };
   bytes["textured"] = bytes["map.glb"].get<std::size_t>() - detailBytes(map.details);
   log.tell("compactness",

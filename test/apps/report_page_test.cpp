@@ -5,6 +5,7 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/image_file.h>
 #include <pcl/core/impl/base64.h>
+#include <pcl/core/impl/size_text.h>
 
 #include <gmock/gmock.h>
 
@@ -112,6 +113,14 @@ countOf(const std::string& text, const std::string& part)
        at = text.find(part, at + part.size()))
     ++count;
   return count;
+}
+
+TEST(Ratio, TellsWhatIsLarger)
+{
+  EXPECT_EQ(ratioText(240.9), "240 : 1");
+  EXPECT_EQ(ratioText(1), "1 : 1");
+  EXPECT_EQ(ratioText(0.4), "1 : 3");
+  EXPECT_EQ(ratioText(0), "0 : 1");
 }
 
 TEST(ReportPage, ShowsAllThatIsTold)

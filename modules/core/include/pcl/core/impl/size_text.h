@@ -2,6 +2,7 @@
 
 #include <pcl/core/build_config.h>
 
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -14,6 +15,22 @@ shortNumber(double value)
   std::ostringstream text;
   text.precision(3);
   text << value;
+  return text.str();
+}
+
+/** \brief "529 : 1", or "1 : 3" for a ratio below 1: what should be smaller is larger. */
+inline std::string
+ratioText(double ratio)
+{
+  std::ostringstream text;
+  text.setf(std::ios::fixed);
+  text.precision(0);
+  if (ratio >= 1)
+    text << std::floor(ratio) << " : 1";
+  else if (ratio > 0)
+    text << "1 : " << std::ceil(1 / ratio);
+  else
+    text << "0 : 1";
   return text.str();
 }
 
