@@ -92,7 +92,8 @@ void
 fill(vtkChartXY& chart,
      const CurvePanel& panel,
      const std::string& x_title,
-     bool is_logarithmic)
+     bool is_logarithmic,
+     bool has_legend)
 {
   for (std::size_t i = 0; i < panel.curves.size(); ++i)
     addCurve(chart, panel.curves[i], i);
@@ -100,7 +101,7 @@ fill(vtkChartXY& chart,
   setAxis(*chart.GetAxis(vtkAxis::LEFT), panel.y_title);
   chart.GetAxis(vtkAxis::BOTTOM)->SetLogScale(is_logarithmic);
   setRange(*chart.GetAxis(vtkAxis::LEFT), panel.curves);
-  chart.SetShowLegend(panel.curves.size() > 1);
+  chart.SetShowLegend(has_legend);
   chart.GetLegend()->SetLabelSize(font_size);
   chart.GetLegend()->SetVerticalAlignment(vtkChartLegend::BOTTOM);
 }
@@ -145,7 +146,8 @@ drawCurves(const std::string& path,
     fill(*vtkChartXY::SafeDownCast(charts->GetChart(where)),
          panels[i],
          x_title,
-         is_logarithmic);
+         is_logarithmic,
+         i == 0 && panels[i].curves.size() > 1);
   }
   view->GetRenderWindow()->Render();
   write(path, view->GetRenderWindow());
