@@ -126,4 +126,4 @@ DepthRefinement<PCLPointCloud2>::applyFilter(PCLPointCloud2& output)
 
 } // namespace pcl
 
-PCL_INSTANTIATE(DepthRefinement, ACMAP_MAP_POINT_TYPES)
+PCL_INSTANTIATE(DepthRefinement, ACMAP_ALL_POINT_TYPES)

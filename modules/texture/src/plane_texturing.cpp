@@ -28,4 +28,4 @@ viewOfObservation(const TexturedObservation& observation)
 
 } // namespace pcl::acmap
 
-PCL_INSTANTIATE(PlaneTexturing, ACMAP_MAP_POINT_TYPES)
+PCL_INSTANTIATE(PlaneTexturing, ACMAP_ALL_POINT_TYPES)

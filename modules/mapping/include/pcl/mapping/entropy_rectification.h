@@ -17,7 +17,8 @@ namespace pcl {
 
 /** \brief Rectifies a map: finds the poses of observations under which their points
  * fit together best, without correspondences. Section II-B.2 of
- * "Active Stereo Based Compact Mapping". In the shape of PCL's registration::LUM.
+ * "Active Stereo Based Compact Mapping". In the shape of PCL's registration::LUM, and a
+ * Filter, which makes one cloud of all.
  *
  * Guarded mode (default) minimises F = kappa N (E - E_wide) + u^T C^-1 u / 2. E is the
  * direction-aware entropy of \ref MapEntropy, E_wide is the same in bins four times as
@@ -51,11 +52,20 @@ namespace pcl {
  * if (rectification.getReport ().outcome == pcl::RectificationOutcome::Rectified)
  *   pcl::io::savePCDFileBinary ("map.pcd", *rectification.getConcatenatedCloud ());
  * \endcode
+ * With poses that are in the clouds, as in PCD files with a VIEWPOINT:
+ * \code
+ * for (const auto& cloud : clouds) {
+ *   rectification.setInputCloud (cloud);
+ *   rectification.addPointsFromInputCloud ();
+ * }
+ * pcl::PointCloud<pcl::PointNormal> map;
+ * rectification.filter (map);
+ * \endcode
  * \ingroup mapping
  */
 template <typename PointT>
 class EntropyRectification
-: public acmap::RegisteredClouds<PointT, EntropyRectificationReport> {
+: public acmap::RegisteringFilter<PointT, EntropyRectificationReport> {
 public:
   using Ptr = shared_ptr<EntropyRectification<PointT>>;
   using ConstPtr = shared_ptr<const EntropyRectification<PointT>>;
@@ -180,7 +190,7 @@ public:
    * \throws CancelledException when the progress callback requested to stop; nothing is
    * changed */
   void
-  compute();
+  compute() override;
 
   /** \brief All settings but the up direction. */
   const acmap::RectificationSettings&

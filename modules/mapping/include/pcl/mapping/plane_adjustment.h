@@ -45,8 +45,8 @@ namespace pcl {
  * \endcode
  * \ingroup mapping */
 template <typename PointT>
-class PlaneAdjustment : public acmap::RegisteredClouds<PointT, PlaneAdjustmentReport> {
-  using Base = acmap::RegisteredClouds<PointT, PlaneAdjustmentReport>;
+class PlaneAdjustment : public acmap::RegisteringFilter<PointT, PlaneAdjustmentReport> {
+  using Base = acmap::RegisteringFilter<PointT, PlaneAdjustmentReport>;
 
 public:
   using Ptr = shared_ptr<PlaneAdjustment<PointT>>;
@@ -147,7 +147,7 @@ public:
    * changed
    * \throws what a loader throws */
   void
-  compute();
+  compute() override;
 
 private:
   acmap::PlaneAdjustmentSettings settings_;

@@ -3,6 +3,7 @@
 #include <pcl/core/build_config.h>
 #include <pcl/core/rigid_motion.h>
 #include <pcl/core/stage_controls.h>
+#include <pcl/filters/filter.h>
 #include <pcl/memory.h>
 #include <pcl/point_cloud.h>
 
@@ -93,6 +94,69 @@ public:
   /** \brief Returns all observations in the frame of the map. */
   PointCloudPtr
   getConcatenatedCloud() const;
+};
+
+/** \brief The same with the calls of PCL's filters, for classes whose result is the map as
+ * one cloud. An input cloud is an observation: its points are in the frame of its sensor,
+ * and its `sensor_origin_` and `sensor_orientation_`, which a PCD file has as VIEWPOINT,
+ * are its pose T_map_camera (metres).
+ * \code
+ * for (const auto& cloud : clouds) {
+ *   registration.setInputCloud (cloud);
+ *   registration.addPointsFromInputCloud ();
+ * }
+ * registration.filter (map);
+ * \endcode */
+template <typename PointT, typename ReportT>
+class RegisteringFilter : public Filter<PointT>,
+                          public RegisteredClouds<PointT, ReportT> {
+  using Observations = RegisteredClouds<PointT, ReportT>;
+
+public:
+  using typename Observations::PointCloud;
+  using typename Observations::PointCloudConstPtr;
+  using typename Observations::PointCloudPtr;
+
+  /** \brief Sets the next observation; it must not be changed afterwards.
+   * \throws InitFailedException without a cloud */
+  void
+  setInputCloud(const PointCloudConstPtr& cloud) override;
+
+  /** \brief Adds the input cloud, or its indices if they are set, as the last observation,
+   * unless it is that already: the same cloud with the same indices is added once.
+   * \return its number
+   * \throws InitFailedException without an input cloud, or with indices out of range
+   * \throws BadArgumentException when its pose is not finite */
+  std::size_t
+  addPointsFromInputCloud();
+
+  /** \brief Adds the input cloud, if there is one, as \ref addPointsFromInputCloud does,
+   * finds the poses of all observations that were added, in whatever way, and gives the
+   * map: what compute and getConcatenatedCloud give. Nothing is removed but what the
+   * indices leave out; \ref clear begins another map.
+   * \param[out] output the map, in its own frame (its sensor is at the origin); may be the
+   * input cloud
+   * \throws InitFailedException without an observation, and as addPointsFromInputCloud
+   * \throws what compute throws; the output is unchanged */
+  void
+  filter(PointCloud& output);
+
+  /** \brief Finds the poses of the observations. */
+  virtual void
+  compute() = 0;
+
+  /** \brief Removes all observations; an input cloud stays set. */
+  void
+  clear();
+
+protected:
+  void
+  applyFilter(PointCloud& output) override;
+
+private:
+  PointCloudConstPtr added_input_; ///< the last one
+  IndicesPtr added_indices_;
+  std::size_t input_number_ = 0;
 };
 
 } // namespace acmap

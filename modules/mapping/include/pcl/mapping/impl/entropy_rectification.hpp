@@ -110,6 +110,6 @@ EntropyRectification<PointT>::compute()
 } // namespace pcl
 
 #define PCL_INSTANTIATE_EntropyRectification(T)                       \
-  PCL_INSTANTIATE_RegisteredClouds(                                   \
+  PCL_INSTANTIATE_RegisteringFilter(                                  \
       T, pcl::EntropyRectificationReport) template class ACMAP_EXPORT \
       pcl::EntropyRectification<T>;

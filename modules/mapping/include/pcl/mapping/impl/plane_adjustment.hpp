@@ -118,6 +118,6 @@ PlaneAdjustment<PointT>::compute()
 } // namespace pcl
 
 #define PCL_INSTANTIATE_PlaneAdjustment(T) \
-  PCL_INSTANTIATE_RegisteredClouds(        \
+  PCL_INSTANTIATE_RegisteringFilter(       \
       T,                                   \
       pcl::PlaneAdjustmentReport) template class ACMAP_EXPORT pcl::PlaneAdjustment<T>;

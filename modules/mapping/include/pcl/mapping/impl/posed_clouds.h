@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/common/io.h>
 #include <pcl/common/transforms.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
@@ -114,6 +115,76 @@ RegisteredClouds<PointT, ReportT>::getConcatenatedCloud() const
   return result;
 }
 
+/** \brief T_map_camera as PCL keeps it in a cloud. */
+template <typename PointT>
+RigidMotion
+sensorPoseOf(const PointCloud<PointT>& cloud)
+{
+  Eigen::Isometry3d pose(
+      cloud.sensor_orientation_.template cast<double>().normalized());
+  pose.translation() = cloud.sensor_origin_.template head<3>().template cast<double>();
+  return pose;
+}
+
+template <typename PointT, typename ReportT>
+void
+RegisteringFilter<PointT, ReportT>::setInputCloud(const PointCloudConstPtr& cloud)
+{
+  requireGiven(cloud);
+  Filter<PointT>::setInputCloud(cloud);
+}
+
+template <typename PointT, typename ReportT>
+std::size_t
+RegisteringFilter<PointT, ReportT>::addPointsFromInputCloud()
+{
+  const IndicesPtr indices = this->fake_indices_ ? nullptr : this->indices_;
+  requireInput<PointT>(this->input_, indices.get());
+  if (added_input_ == this->input_ && added_indices_ == indices)
+    return input_number_;
+  PointCloudConstPtr cloud = this->input_;
+  if (indices) {
+    const PointCloudPtr chosen(new PointCloud);
+    copyPointCloud(*this->input_, *indices, *chosen);
+    cloud = chosen;
+  }
+  input_number_ = this->add([cloud] { return cloud; }, sensorPoseOf(*cloud), {});
+  added_input_ = this->input_;
+  added_indices_ = indices;
+  return input_number_;
+}
+
+template <typename PointT, typename ReportT>
+void
+RegisteringFilter<PointT, ReportT>::filter(PointCloud& output)
+{
+  applyFilter(output); // PCL's gives the map the pose of one sensor
+}
+
+template <typename PointT, typename ReportT>
+void
+RegisteringFilter<PointT, ReportT>::applyFilter(PointCloud& output)
+{
+  if (this->input_ || this->getNumberOfPointClouds() == 0)
+    addPointsFromInputCloud();
+  compute();
+  const PointCloudPtr map = this->getConcatenatedCloud();
+  if (&output == this->input_.get() &&
+      !added_indices_) // the observation stays as it is
+    this->loaders_[input_number_] =
+        [kept = std::make_shared<const PointCloud>(std::move(output))] { return kept; };
+  output = std::move(*map);
+}
+
+template <typename PointT, typename ReportT>
+void
+RegisteringFilter<PointT, ReportT>::clear()
+{
+  Observations::clear();
+  added_input_.reset();
+  added_indices_.reset();
+}
+
 } // namespace acmap
 } // namespace pcl
 
@@ -125,3 +196,8 @@ RegisteredClouds<PointT, ReportT>::getConcatenatedCloud() const
       T,                                             \
       Eigen::Isometry3d,                             \
       ReportT) template class ACMAP_EXPORT pcl::acmap::RegisteredClouds<T, ReportT>;
+
+#define PCL_INSTANTIATE_RegisteringFilter(T, ReportT) \
+  PCL_INSTANTIATE_RegisteredClouds(                   \
+      T,                                              \
+      ReportT) template class ACMAP_EXPORT pcl::acmap::RegisteringFilter<T, ReportT>;
