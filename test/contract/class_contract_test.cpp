@@ -27,6 +27,7 @@ using PublicClasses = testing::Types<BoxFittingTraits,
                                      PlaneHypothesisClusteringTraits,
                                      PlaneTexturingTraits,
                                      RecessFittingTraits,
+                                     RectifyingFilterTraits,
                                      VoxelConsolidationTraits>;
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Public, ClassContract, PublicClasses);

@@ -46,4 +46,27 @@ struct EntropyRectificationTraits
   }
 };
 
+/** \brief The same by the calls of a filter. */
+struct RectifyingFilterTraits : EntropyRectificationTraits {
+  static void
+  setInput(Class& object, const Cloud& cloud)
+  {
+    EntropyRectificationTraits::setInput(object, cloud);
+    const auto observation = object.getTransformedCloud(0);
+    object.clear();
+    object.addPointCloud(observation, Eigen::Isometry3d::Identity());
+    object.setInputCloud(observation);
+  }
+
+  static void
+  run(Class& object, Output& output)
+  {
+    PointCloud<PointNormal> map;
+    object.filter(map);
+    output = {{}, object.getReport().outcome, object.getReport().reason};
+    for (std::size_t i = 0; i < object.getNumberOfPointClouds(); ++i)
+      output.poses.push_back(object.getPose(i).matrix());
+  }
+};
+
 } // namespace pcl::acmap::test

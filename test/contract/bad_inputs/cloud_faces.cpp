@@ -4,6 +4,8 @@
 #include <pcl/features/normal_vector_voting.h>
 #include <pcl/filters/depth_refinement.h>
 #include <pcl/filters/voxel_consolidation.h>
+#include <pcl/mapping/entropy_rectification.h>
+#include <pcl/mapping/plane_adjustment.h>
 #include <pcl/segmentation/box_fitting.h>
 #include <pcl/segmentation/cylinder_hypothesis_clustering.h>
 #include <pcl/segmentation/depth_plane_segmentation.h>
@@ -189,6 +191,26 @@ addDepth(std::vector<BadCase>& cases)
       .addTo(cases);
 }
 
+/** The second of two observations, which a filter turns into one cloud. */
+template <typename Class, typename PointT>
+void
+addFilter(std::vector<BadCase>& cases, const std::string& name)
+{
+  cloudFace<Class, PointT>(
+      name,
+      [](Class& object) {
+        PointCloud<PointT> map;
+        object.filter(map);
+        return given(map.empty(), object.getReport());
+      },
+      [](Class& object) {
+        object.clear();
+        object.addPointCloud(as<PointT>(goodView().makeShared()),
+                             Eigen::Isometry3d::Identity());
+      })
+      .addTo(cases);
+}
+
 template <typename Class, typename Output>
 void
 addFitting(std::vector<BadCase>& cases, const std::string& name)
@@ -221,6 +243,9 @@ addCloudCases(std::vector<BadCase>& cases)
   addPlanes(cases);
   addCylinders(cases);
   addDepth(cases);
+  addFilter<EntropyRectification<PointNormal>, PointNormal>(
+      cases, "EntropyRectification, a filter");
+  addFilter<PlaneAdjustment<PointXYZ>, PointXYZ>(cases, "PlaneAdjustment, a filter");
   addFitting<BoxFitting, BoxPatch>(cases, "BoxFitting");
   addFitting<RecessFitting, RecessPatch>(cases, "RecessFitting");
 }

@@ -96,7 +96,7 @@ RegisteredClouds<PointT, ReportT>::getTransformedCloud(std::size_t number) const
   const Eigen::Affine3f pose = getTransformation(number);
   const auto cloud = this->loaders_[number]();
   PointCloudPtr result(new pcl::PointCloud<PointT>);
-  if (!cloud)
+  if (!cloud || cloud->empty()) // PCL warns of a cloud without a width
     return result;
   if constexpr (has_normal<PointT>)
     transformPointCloudWithNormals(*cloud, *result, pose);
