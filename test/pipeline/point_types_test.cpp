@@ -1,12 +1,24 @@
 #include <pcl/core/impl/compiled_point_types.h>
 #include <pcl/core/random.h>
 #include <pcl/features/normal_vector_voting.h>
+#include <pcl/filters/depth_refinement.h>
 #include <pcl/filters/voxel_consolidation.h>
+#include <pcl/mapping/entropy_rectification.h>
+#include <pcl/mapping/map_entropy.h>
+#include <pcl/mapping/map_levelling.h>
+#include <pcl/mapping/map_verdict.h>
+#include <pcl/mapping/plane_adjustment.h>
 #include <pcl/search/kdtree.h>
+#include <pcl/segmentation/cylinder_hypothesis_clustering.h>
+#include <pcl/segmentation/depth_plane_segmentation.h>
 #include <pcl/segmentation/plane_hypothesis_clustering.h>
 #include <pcl/surface/dewall_triangulation.h>
+#include <pcl/texture/plane_texturing.h>
 
+#include <boost/preprocessor/seq/enum.hpp>
 #include <gtest/gtest.h>
+
+#include <initializer_list>
 
 namespace pcl::acmap::test {
 namespace {
@@ -14,22 +26,8 @@ namespace {
 template <typename PointT>
 class AllPointTypes : public testing::Test {};
 
-#ifdef ACMAP_FEW_POINT_TYPES
-using Types = testing::Types<PointXYZ, PointXYZRGB, PointNormal>;
-#else
-using Types = testing::Types<PointXYZ,
-                             PointXYZI,
-                             PointXYZL,
-                             PointXYZRGB,
-                             PointXYZRGBA,
-                             PointNormal,
-                             PointXYZRGBNormal,
-                             PointXYZINormal,
-                             PointXYZLNormal,
-                             PointWithRange,
-                             PointWithScale,
-                             PointSurfel>;
-#endif
+/** Those of the list for which classes are compiled, which PCL keeps. */
+using Types = testing::Types<BOOST_PP_SEQ_ENUM(ACMAP_ALL_POINT_TYPES)>;
 
 TYPED_TEST_SUITE(AllPointTypes, Types);
 
@@ -48,6 +46,75 @@ floorOf()
     cloud->push_back(point);
   }
   return cloud;
+}
+
+/** An image of a wall, which no class needs colours or normals for. */
+template <typename PointT>
+typename PointCloud<PointT>::Ptr
+imageOfAWall()
+{
+  typename PointCloud<PointT>::Ptr cloud(new PointCloud<PointT>(40, 30));
+  for (unsigned column = 0; column < 40; ++column)
+    for (unsigned row = 0; row < 30; ++row) {
+      PointT& point = cloud->at(column, row);
+      point.x = 0.05F * static_cast<float>(column) - 1;
+      point.y = 0.05F * static_cast<float>(row) - 0.75F;
+      point.z = 2;
+    }
+  return cloud;
+}
+
+TYPED_TEST(AllPointTypes, areTakenByTheClassesOfMaps)
+{
+  const auto cloud = imageOfAWall<TypeParam>();
+  MapEntropy<TypeParam> entropy;
+  entropy.addPointCloud(cloud, PlanarPose());
+  entropy.compute();
+  EXPECT_FALSE(entropy.getReport().seconds.empty());
+  const Eigen::Isometry3d identity = Eigen::Isometry3d::Identity();
+  MapLevelling<TypeParam> levelling;
+  levelling.addPointCloud(cloud, identity);
+  levelling.compute();
+  EXPECT_FALSE(levelling.getReport().seconds.empty());
+  MapVerdict<TypeParam> verdict;
+  verdict.addPointCloud(cloud, identity);
+  verdict.compute();
+  EXPECT_FALSE(verdict.getReport().seconds.empty());
+  EntropyRectification<TypeParam> rectification;
+  PlaneAdjustment<TypeParam> adjustment;
+  for (Filter<TypeParam>* filter :
+       std::initializer_list<Filter<TypeParam>*>{&rectification, &adjustment}) {
+    PointCloud<TypeParam> map;
+    filter->setInputCloud(cloud);
+    filter->filter(map);
+    EXPECT_EQ(map.size(), cloud->size());
+  }
+}
+
+TYPED_TEST(AllPointTypes, areTakenByTheClassesOfImagesAndTexture)
+{
+  const auto cloud = imageOfAWall<TypeParam>();
+  DepthPlaneSegmentation<TypeParam> segmentation;
+  segmentation.setInputCloud(cloud);
+  std::vector<PlanePatch> planes;
+  segmentation.segment(planes);
+  ASSERT_EQ(planes.size(), 1U);
+  DepthRefinement<TypeParam> refinement;
+  refinement.setInputCloud(cloud);
+  PointCloud<TypeParam> refined;
+  refinement.filter(refined);
+  EXPECT_EQ(refined.size(), cloud->size());
+  PlaneTexturing<TypeParam> texturing;
+  texturing.setPlanes(planes);
+  texturing.addObservation(cloud, Eigen::Isometry3d::Identity());
+  CompactMap map;
+  texturing.texture(map);
+  EXPECT_FALSE(texturing.getReport().seconds.empty());
+  CylinderHypothesisClustering<TypeParam> clustering;
+  clustering.setInputCloud(cloud);
+  std::vector<CylinderPatch> cylinders;
+  clustering.segment(cylinders);
+  EXPECT_FALSE(clustering.getReport().seconds.empty());
 }
 
 /** A program for a class of PCL's surface module, but for the name of the class. */
