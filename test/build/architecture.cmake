@@ -55,6 +55,35 @@ foreach(module IN LISTS acmap_modules)
   endif()
 endforeach()
 
+# compare_library (<library> <pattern>): the modules in its row include its headers
+function(compare_library library pattern)
+  set(used)
+  foreach(module IN LISTS acmap_modules)
+    execute_process(COMMAND "${grep}" -rqE --include=*.h --include=*.hpp --include=*.cpp
+                            "^ *# *include [<\"](${pattern})" modules/${module}
+                    WORKING_DIRECTORY "${ROOT}" RESULT_VARIABLE is_absent)
+    if(NOT is_absent)
+      list(APPEND used ${module})
+    endif()
+  endforeach()
+  list(SORT used)
+  string(REGEX MATCH "\n[|] ${library} [|][^\n]*[|]([^|\n]*)[|]\n" row "${page}")
+  string(REGEX MATCHALL "`[a-z]+`" told "${CMAKE_MATCH_1}")
+  list(TRANSFORM told REPLACE "`" "")
+  if(NOT row OR NOT told STREQUAL used)
+    message(SEND_ERROR "doc/architecture.md: ${library} is used by \"${told}\", and included "
+                       "by \"${used}\"")
+  endif()
+endfunction()
+
+compare_library(PCL "pcl/[A-Za-z_0-9]+[.]h")
+compare_library(FLANN "pcl/kdtree/|pcl/search/|flann/")
+compare_library("FLANN, as OpenCV has it" "opencv2/flann")
+compare_library(Eigen "Eigen/|unsupported/Eigen/")
+compare_library(OpenCV "opencv2/")
+compare_library(VTK "vtk")
+compare_library(libusb "libusb")
+
 file(GLOB flat "${ROOT}/modules/core/src/*.h" "${ROOT}/modules/core/src/*.cpp")
 if(flat)
   message(SEND_ERROR "each source of core has a folder: ${flat}")

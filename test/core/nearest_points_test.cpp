@@ -1,5 +1,4 @@
-#include "cylinders/nearest_points.h"
-
+#include <pcl/core/impl/nearest_points.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/random.h>
 
@@ -8,35 +7,53 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace pcl::acmap::test {
 namespace {
 
-using Points = LargeVector<Eigen::Vector3d>;
+using SearchedPoints = LargeVector<Eigen::Vector3d>;
 
-std::vector<std::int32_t>
-nearestByComparison(const Points& points,
-                    const Eigen::Vector3d& place,
-                    std::size_t count)
+/** The distances of the nearest points, by comparison with all. */
+std::vector<double>
+nearestDistances(const SearchedPoints& points,
+                 const Eigen::Vector3d& place,
+                 std::size_t count)
 {
-  std::vector<std::pair<double, std::int32_t>> all;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].allFinite())
-      all.emplace_back((points[i] - place).squaredNorm(), static_cast<std::int32_t>(i));
+  std::vector<double> all;
+  for (const Eigen::Vector3d& point : points)
+    if (point.allFinite())
+      all.push_back((point - place).norm());
   std::sort(all.begin(), all.end());
-  std::vector<std::int32_t> nearest;
-  for (std::size_t k = 0; k < std::min(count, all.size()); ++k)
-    nearest.push_back(all[k].second);
-  return nearest;
+  all.resize(std::min(count, all.size()));
+  return all;
+}
+
+/** Points that are found have the right distances, and none is found twice. */
+void
+expectNearest(const NearestPoints& tree,
+              const SearchedPoints& points,
+              const Eigen::Vector3d& place,
+              std::size_t count)
+{
+  Indices found;
+  tree.find(place.cast<float>(), count, found);
+  const std::vector<double> wanted = nearestDistances(points, place, count);
+  ASSERT_EQ(found.size(), wanted.size());
+  EXPECT_EQ(std::set<index_t>(found.begin(), found.end()).size(), found.size());
+  for (std::size_t k = 0; k < found.size(); ++k)
+    EXPECT_NEAR((points[static_cast<std::size_t>(found[k])] - place).norm(),
+                wanted[k],
+                1e-6 * (1 + place.norm()));
 }
 
 /** Points on a coarse lattice, so that many distances are equal. */
-Points
+SearchedPoints
 latticePoints(std::size_t size)
 {
   Random random(7);
   const auto coordinate = [&] { return std::floor(random.uniform(0, 6)); };
-  Points points;
+  SearchedPoints points;
   for (std::size_t i = 0; i < size; ++i) {
     const double x = coordinate(), y = coordinate();
     points.emplace_back(x, y, coordinate());
@@ -47,39 +64,55 @@ latticePoints(std::size_t size)
 TEST(NearestPoints, areThoseOfBruteForceAlsoWithEqualDistances)
 {
   for (const std::size_t size : {0, 1, 12, 13, 300, 2000}) {
-    Points points = latticePoints(size);
+    SearchedPoints points = latticePoints(size);
     if (size > 100)
       points[50].y() = std::numeric_limits<double>::quiet_NaN();
-    const cylinders::NearestPoints tree(points);
-    std::vector<std::int32_t> found;
+    const NearestPoints tree(points);
     for (const std::size_t count : {0, 1, 13, 41})
-      for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 100) {
-        tree.find(points[i], count, found);
+      for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 100)
         if (points[i].allFinite())
-          EXPECT_EQ(found, nearestByComparison(points, points[i], count));
-        else
-          EXPECT_TRUE(found.empty());
-      }
+          expectNearest(tree, points, points[i], count);
   }
+}
+
+TEST(NearestPoints, ofNothingAndOfNowhereAreNone)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr float inf = std::numeric_limits<float>::infinity();
+  const NearestPoints none{SearchedPoints()}, invalid(SearchedPoints(20, {nan, 0, 0})),
+      far(SearchedPoints(20, {1e300, 0, 0})), some(latticePoints(20));
+  Indices found{7};
+  for (const NearestPoints* tree : {&none, &invalid, &far}) {
+    tree->find({0, 0, 0}, 3, found);
+    EXPECT_TRUE(found.empty());
+  }
+  found = {7};
+  some.find({inf, 0, 0}, 3, found);
+  EXPECT_TRUE(found.empty());
 }
 
 TEST(NearestPoints, areTheSameForAllNumbersOfThreads)
 {
   Random random(9);
-  Points points;
+  SearchedPoints points;
   for (std::size_t i = 0; i < 50000; ++i) {
     const double x = random.uniform(0, 1), y = random.uniform(0, 1);
     points.emplace_back(x, y, random.uniform(0, 1));
   }
+  std::vector<std::vector<Indices>> runs;
   for (const unsigned threads : {1, 4})
     withThreads(threads, [&] {
-      const cylinders::NearestPoints tree(points);
-      std::vector<std::int32_t> found;
-      for (std::size_t i = 0; i < points.size(); i += 5000) {
-        tree.find(points[i], 13, found);
-        EXPECT_EQ(found, nearestByComparison(points, points[i], 13));
-      }
+      const NearestPoints tree(points);
+      std::vector<Indices> found(points.size() / 50);
+      parallelForChunks(found.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          tree.find(points[50 * i].cast<float>(), 13, found[i]);
+      });
+      runs.push_back(std::move(found));
+      for (std::size_t i = 0; i < points.size(); i += 5000)
+        expectNearest(tree, points, points[i], 13);
     });
+  EXPECT_EQ(runs[0], runs[1]);
 }
 
 } // namespace

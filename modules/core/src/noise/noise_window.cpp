@@ -1,13 +1,12 @@
 #include "noise/noise_window.h"
 
 #include <pcl/core/impl/moments.h>
-#include <pcl/kdtree/kdtree_flann.h>
-#include <pcl/point_types.h>
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl::acmap {
 
@@ -66,35 +65,19 @@ roughnessOf(const std::vector<Eigen::Vector3d>& local, double radius)
 
 } // namespace
 
-struct WindowTree::Index {
-  KdTreeFLANN<PointXYZ> tree;
-  PointCloud<PointXYZ>::Ptr points{new PointCloud<PointXYZ>};
-};
-
-WindowTree::WindowTree(const std::vector<Eigen::Vector3f>& points)
-: index_(std::make_unique<Index>())
-{
-  index_->points->reserve(points.size());
-  for (const Eigen::Vector3f& point : points)
-    index_->points->emplace_back(point.x(), point.y(), point.z());
-  index_->tree.setInputCloud(index_->points);
-}
-
-WindowTree::~WindowTree() = default;
-WindowTree::WindowTree(WindowTree&&) noexcept = default;
+WindowTree::WindowTree(std::vector<Eigen::Vector3f> points)
+: points_(std::move(points))
+, tree_(points_)
+{}
 
 std::vector<Eigen::Vector3f>
 WindowTree::nearest(const Eigen::Vector3f& place, std::size_t points) const
 {
   Indices indices;
-  std::vector<float> distances;
-  index_->tree.nearestKSearch(PointXYZ(place.x(), place.y(), place.z()),
-                              static_cast<int>(points),
-                              indices,
-                              distances);
+  tree_.find(place, points, indices);
   std::vector<Eigen::Vector3f> found;
   for (const index_t i : indices)
-    found.push_back((*index_->points)[static_cast<std::size_t>(i)].getVector3fMap());
+    found.push_back(points_[static_cast<std::size_t>(i)]);
   return found;
 }
 

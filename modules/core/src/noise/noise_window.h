@@ -1,8 +1,9 @@
 #pragma once
 
+#include <pcl/core/impl/nearest_points.h>
+
 #include <Eigen/Core>
 
-#include <memory>
 #include <vector>
 
 namespace pcl::acmap {
@@ -23,9 +24,7 @@ struct NoiseWindow {
 /** \brief Finds the nearest points of a place. */
 class WindowTree {
 public:
-  explicit WindowTree(const std::vector<Eigen::Vector3f>& points);
-  ~WindowTree();
-  WindowTree(WindowTree&&) noexcept;
+  explicit WindowTree(std::vector<Eigen::Vector3f> points);
 
   /** \brief Distance of the farthest of some nearest points. */
   double
@@ -36,8 +35,8 @@ public:
   nearest(const Eigen::Vector3f& place, std::size_t points) const;
 
 private:
-  struct Index;
-  std::unique_ptr<Index> index_;
+  std::vector<Eigen::Vector3f> points_;
+  NearestPoints tree_;
 };
 
 NoiseWindow

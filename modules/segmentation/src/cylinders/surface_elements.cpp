@@ -1,7 +1,5 @@
 #include "cylinders/surface_elements.h"
 
-#include "cylinders/nearest_points.h"
-
 #include <pcl/core/impl/moments.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/quantile.h>
@@ -160,10 +158,10 @@ void
 SurfaceElements::connectNearest(const NearestPoints& tree)
 {
   constexpr std::size_t nearest = 16;
-  std::vector<std::vector<std::int32_t>> found(size());
+  std::vector<Indices> found(size());
   parallelForChunks(size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      tree.find(points[i], nearest + 1, found[i]);
+      tree.find(points[i].cast<float>(), nearest + 1, found[i]);
   });
   LargeVector<std::size_t> first{0};
   LargeVector<std::int32_t> others;
@@ -190,13 +188,13 @@ SurfaceElements::fitQuadrics(const NearestPoints& tree, double least)
   parallelForChunks(size(), [&](std::size_t begin, std::size_t end) {
     if (is_oriented && quiet >= quarter)
       return;
-    std::vector<std::int32_t> found;
+    Indices found;
     for (std::size_t i = begin; i < end; ++i) {
       if (!points[i].allFinite())
         continue;
       for (const std::size_t wanted : sizes) {
         if (found.empty() || wanted > found.size())
-          tree.find(points[i], wanted, found);
+          tree.find(points[i].cast<float>(), wanted, found);
         if (found.size() < 9)
           break;
         const Quadric quadric =
@@ -236,9 +234,9 @@ measureLocalNoise(const PointView& view)
       points.push_back(view[i].cast<double>());
   const NearestPoints tree(points);
   std::vector<double> rms, distances;
-  std::vector<std::int32_t> found;
+  Indices found;
   for (std::size_t i = 0; i < points.size(); i += points.size() / max_samples + 1) {
-    tree.find(points[i], nearest, found);
+    tree.find(points[i].cast<float>(), nearest, found);
     if (found.size() < nearest)
       continue;
     const Quadric quadric = quadricOf(points, found, nearest);

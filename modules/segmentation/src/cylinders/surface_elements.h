@@ -2,6 +2,7 @@
 
 #include "cylinders/cylinder.h"
 
+#include <pcl/core/impl/nearest_points.h>
 #include <pcl/core/impl/vertex_neighbours.h>
 #include <pcl/segmentation/impl/plane_clustering_kernel.h>
 
@@ -11,8 +12,6 @@
 #include <vector>
 
 namespace pcl::acmap::cylinders {
-
-class NearestPoints;
 
 /** The points over which cylinders are grown, in double precision, relative to their
  * median. */
