@@ -54,6 +54,11 @@ TEST_F(GrabberFrames, AreWhatTheCameraSent)
   EXPECT_GT(report.frames_per_second, 1);
 }
 
+TEST_F(GrabberFrames, ComeAtThePapersRateUnlessAnotherOneIsSet)
+{
+  EXPECT_NEAR(DigiclopsGrabber(rigWith(true, true)).getFramesPerSecond(), 14, 0.5);
+}
+
 TEST_F(GrabberFrames, AreInTheChannelsThatWereSet)
 {
   open();
