@@ -86,6 +86,14 @@ TEST(NearestPoints, ofNothingAndOfNowhereAreNone)
     tree->find({0, 0, 0}, 3, found);
     EXPECT_TRUE(found.empty());
   }
+  SearchedPoints wide = latticePoints(300); // FLANN aborts of what is left out here
+  for (std::size_t i = 0; i < wide.size(); i += 3)
+    wide[i] *= static_cast<double>(std::numeric_limits<float>::max()) / 8;
+  const NearestPoints near(wide);
+  near.find(wide[1].cast<float>(), wide.size(), found);
+  EXPECT_GE(found.size(), wide.size() * 2 / 3);
+  for (const index_t i : found)
+    EXPECT_LT(wide[static_cast<std::size_t>(i)].norm(), 20);
   found = {7};
   some.find({inf, 0, 0}, 3, found);
   EXPECT_TRUE(found.empty());

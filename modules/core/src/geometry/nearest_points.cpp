@@ -3,9 +3,24 @@
 #include <pcl/point_types.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace pcl::acmap {
+
+namespace {
+
+/** FLANN aborts where squares of distances are more than a float can be. */
+constexpr float farthest = 1e18F; // metres
+
+template <typename Point>
+bool
+isUsable(const Point& point)
+{
+  return (point.array().abs() <= farthest).all(); // false if it is not finite, too
+}
+
+} // namespace
 
 struct NearestPoints::Tree {
   KdTreeFLANN<PointXYZ> flann;
@@ -16,16 +31,18 @@ struct NearestPoints::Tree {
   of(const Points& points)
   {
     const PointCloud<PointXYZ>::Ptr cloud(new PointCloud<PointXYZ>);
-    cloud->is_dense = false;
+    cloud->is_dense = false; // PCL leaves out what is not finite
     cloud->reserve(points.size());
-    for (const auto& point : points)
-      cloud->emplace_back(static_cast<float>(point.x()),
-                          static_cast<float>(point.y()),
-                          static_cast<float>(point.z()));
-    const bool is_any =
-        std::any_of(cloud->begin(), cloud->end(), [](const PointXYZ& point) {
-          return point.getVector3fMap().allFinite();
-        });
+    bool is_any = false;
+    for (const auto& point : points) {
+      cloud->emplace_back();
+      auto place = cloud->back().getVector3fMap();
+      if (isUsable(point))
+        place = point.template cast<float>();
+      else
+        place.setConstant(std::numeric_limits<float>::quiet_NaN());
+      is_any = is_any || isUsable(point);
+    }
     if (!is_any) // PCL's tree of nothing must not be asked
       return nullptr;
     auto tree = std::make_unique<Tree>();
@@ -52,7 +69,7 @@ NearestPoints::find(const Eigen::Vector3f& place,
                     Indices& found) const
 {
   found.clear();
-  if (!tree_ || count == 0 || !place.allFinite())
+  if (!tree_ || count == 0 || !isUsable(place))
     return;
   std::vector<float> distances;
   tree_->flann.nearestKSearch(PointXYZ(place.x(), place.y(), place.z()),

@@ -13,7 +13,7 @@
 namespace pcl::acmap {
 
 /** \brief Finds the nearest points of a place by FLANN's tree, in floats. Points that are
- * not finite are left out. Several threads may ask at once. */
+ * not finite, or more than 1e18 m from 0, are left out. Several threads may ask at once. */
 class ACMAP_EXPORT NearestPoints {
 public:
   explicit NearestPoints(const LargeVector<Eigen::Vector3d>& points);
@@ -24,7 +24,7 @@ public:
   operator=(NearestPoints&&) = delete;
 
   /** \param[out] found the nearest points in ascending order of distance; fewer than
-   * \a count if there are no more, none if the place is not finite */
+   * \a count if there are no more, none if the place is none of a point */
   void
   find(const Eigen::Vector3f& place, std::size_t count, Indices& found) const;
 
