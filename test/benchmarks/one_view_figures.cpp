@@ -1,56 +1,22 @@
-#include "bench.h"
 #include "bench_data.h"
 #include "mesh_checker.h"
 #include "mesh_peers.h"
-#include "plane_finders.h"
-#include "plane_matches.h"
+#include "one_view.h"
 #include "scene_truth.h"
 
-#include <pcl/common/point_tests.h>
 #include <pcl/conversions.h>
 #include <pcl/core/point_cloud_file.h>
-#include <pcl/features/integral_image_normal.h>
 #include <pcl/filters/depth_refinement.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-#include <pcl/segmentation/depth_plane_segmentation.h>
-#include <pcl/segmentation/organized_multi_plane_segmentation.h>
-#include <pcl/simulation/simulated_observation.h>
 #include <pcl/simulation/standard_scenes.h>
 #include <pcl/surface/dewall_triangulation.h>
 #include <pcl/surface/organized_fast_mesh.h>
 
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 
 namespace pcl::acmap::bench {
 namespace {
-
-/** \brief An organized view of a depth sensor, camera frame, metres. */
-struct OneView {
-  std::string name;
-  PointCloud<PointXYZ>::Ptr organized; ///< NaN if nothing was measured
-  PlaneInput finite;                   ///< its finite points, in the same order
-  Indices finite_of_pixel;             ///< index in finite of each pixel, -1 for none
-};
-
-/** \brief Tolerance of the peers in metres, from PCL's tutorials for a Kinect. */
-inline constexpr double view_tolerance = 0.02;
-
-/** \brief A view of a simulated scene, with its true planes. */
-struct TrueView {
-  OneView view;
-  PlaneTruth truth; ///< labels of the finite points
-};
-
-/** \brief A plane detection method for organized views. */
-struct OneViewFinder {
-  std::string name;
-  std::function<FoundPlanes(const OneView&)> find;
-  bool is_slow = false; ///< takes several seconds for a view
-};
 
 /** \brief A mesh of a view in the camera frame. */
 struct OneViewMesh {
@@ -58,47 +24,6 @@ struct OneViewMesh {
   test::Triangles triangles;
   double seconds = 0; ///< CPU of the calling thread
 };
-
-OneView
-makeOneView(const std::string& name, const PointCloud<PointXYZ>::Ptr& organized)
-{
-  OneView view{name, organized, {}, Indices(organized->size(), -1)};
-  const auto finite = std::make_shared<PointCloud<PointXYZ>>();
-  for (std::size_t i = 0; i < organized->size(); ++i)
-    if ((*organized)[i].getVector3fMap().allFinite()) {
-      view.finite_of_pixel[i] = static_cast<index_t>(finite->size());
-      finite->push_back((*organized)[i]);
-    }
-  view.finite = makePlaneInput(finite, {Eigen::Vector3f::Zero()}, {});
-  view.finite.tolerance = view_tolerance;
-  return view;
-}
-
-/** \brief Reads an organized PCD. */
-OneView
-loadOneView(const std::string& name, const std::string& path)
-{
-  const auto cloud = std::make_shared<PointCloud<PointXYZ>>();
-  fromPCLPointCloud2(loadPointCloud(path).cloud, *cloud);
-  return makeOneView(name, cloud);
-}
-
-TrueView
-makeTrueView(const SimulatedScene& scene, std::size_t view)
-{
-  const SimulatedObservation observation = observe(scene, view, 1);
-  const auto organized = std::make_shared<PointCloud<PointXYZ>>();
-  fromPCLPointCloud2(cloudOf(observation), *organized);
-  TrueView made;
-  made.view = makeOneView(scene.name + " " + std::to_string(view), organized);
-  for (const TruthPlane& plane : scene.geometry.planes())
-    made.truth.planes.push_back(transformPlane(plane, scene.views[view].inverse()));
-  for (std::size_t i = 0; i < observation.pixels.size(); ++i)
-    if (made.view.finite_of_pixel[i] >= 0)
-      made.truth.labels.push_back(
-          static_cast<std::int32_t>(observation.pixels[i].label) - 1);
-  return made;
-}
 
 /** \brief Distance between the distinct depths of a view: median difference of their
  * inverses, 1/m. */
@@ -116,120 +41,6 @@ inverseDepthStep(const OneView& view)
     before = depth;
   }
   return median(steps);
-}
-
-/** \brief The planes that the tools find in a view, on one thread. This is the only
- * place to change if they use another method. */
-FoundPlanes
-ourPlanes(const OneView& view)
-{
-  std::vector<std::int32_t> labels;
-  FoundPlanes found = timedPlanes([&] {
-    FoundPlanes planes;
-    DepthPlaneSegmentation<PointXYZ> segmentation;
-    segmentation.setNumberOfThreads(1);
-    segmentation.setInputCloud(view.organized);
-    std::vector<PlanePatch> patches;
-    segmentation.segment(patches);
-    for (const PlanePatch& patch : patches)
-      planes.planes.push_back(patch.coefficients);
-    labels.assign(segmentation.getLabels().begin(), segmentation.getLabels().end());
-    return planes;
-  });
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (pcl::isFinite((*view.organized)[i]))
-      found.labels.push_back(labels[i]);
-  return found;
-}
-
-// Smoothing, angle and distance are those of PCL's organized_segmentation_demo. Its
-// 10000 inliers, depth change of 0.02 and curvature of 0.001 lose planes: with 1000
-// inliers it finds 83 of 120 in the simulated views. These settings find 91, the most
-// of seven that were tried.
-constexpr float max_depth_change = 0.05f;
-constexpr double max_curvature = 0.01;
-constexpr float smoothing = 20.0f; // px
-constexpr unsigned min_inliers = 1000;
-constexpr double max_angle = 3.0 * degree;
-
-PointCloud<Normal>::Ptr
-integralNormals(const OneView& view)
-{
-  using Estimation = IntegralImageNormalEstimation<PointXYZ, Normal>;
-  Estimation estimation;
-  estimation.setNormalEstimationMethod(Estimation::COVARIANCE_MATRIX);
-  estimation.setMaxDepthChangeFactor(max_depth_change);
-  estimation.setNormalSmoothingSize(smoothing);
-  estimation.setInputCloud(view.organized);
-  const auto normals = std::make_shared<PointCloud<Normal>>();
-  estimation.compute(*normals);
-  return normals;
-}
-
-std::vector<Indices>
-segmentOrganized(const OneView& view)
-{
-  OrganizedMultiPlaneSegmentation<PointXYZ, Normal, Label> segmentation;
-  segmentation.setMinInliers(min_inliers);
-  segmentation.setAngularThreshold(max_angle);
-  segmentation.setDistanceThreshold(view_tolerance);
-  segmentation.setMaximumCurvature(max_curvature);
-  segmentation.setInputNormals(integralNormals(view));
-  segmentation.setInputCloud(view.organized);
-  std::vector<PlanarRegion<PointXYZ>, Eigen::aligned_allocator<PlanarRegion<PointXYZ>>>
-      planes;
-  std::vector<ModelCoefficients> coefficients;
-  std::vector<PointIndices> inliers, of_labels, boundaries;
-  auto labels = std::make_shared<PointCloud<Label>>();
-  segmentation.segmentAndRefine(
-      planes, coefficients, inliers, labels, of_labels, boundaries);
-  std::vector<Indices> regions;
-  for (const PointIndices& plane : inliers) {
-    Indices region;
-    for (const index_t pixel : plane.indices)
-      if (const index_t i = view.finite_of_pixel[static_cast<std::size_t>(pixel)];
-          i >= 0)
-        region.push_back(i);
-    if (!region.empty())
-      regions.push_back(std::move(region));
-  }
-  return regions;
-}
-
-/** \brief PCL's OrganizedMultiPlaneSegmentation with refinement, on normals of
- * IntegralImageNormalEstimation; each plane is fitted by least squares to its
- * inliers. */
-FoundPlanes
-organizedPlanes(const OneView& view)
-{
-  return timedPlanes(
-      [&] { return planesOfRegions(view.finite, segmentOrganized(view)); });
-}
-
-/** \brief acmap, then PCL's for organized clouds, then the peers for unorganized
- * points. */
-std::vector<OneViewFinder>
-oneViewFinders()
-{
-  std::vector<OneViewFinder> all{
-      {"acmap", ourPlanes},
-      {"acmap in space",
-       [](const OneView& view) { return findAcmapPlanes(view.finite); }},
-      {"PCL organized multi-plane", organizedPlanes}};
-  for (const NamedFinder& peer : peers())
-    all.push_back(
-        {peer.name,
-         [find = peer.find](const OneView& view) { return find(view.finite); },
-         peer.is_slow});
-  return all;
-}
-
-/** \brief Runs a method as \ref findPlanes does. */
-FoundPlanes
-findInView(const OneViewFinder& finder, const OneView& view)
-{
-  const auto find = [&](const PlaneInput&) { return finder.find(view); };
-  return findPlanes({finder.name, find}, view.finite);
 }
 
 /** \brief The mesh that the tools make of a view, on one thread. As for \ref ourPlanes,
@@ -452,11 +263,11 @@ struct ViewScores {
   }
 };
 
-const Section simulated_section("simulated", [] {
-  std::vector<OneViewFinder> finders;
-  for (const OneViewFinder& finder : oneViewFinders())
-    if (!finder.is_slow)
-      finders.push_back(finder);
+/** Ten views each of three scenes. */
+void
+printSimulated(const std::vector<OneViewFinder>& finders,
+               const std::function<void(SimulatedScene&)>& set_sensor)
+{
   printHead("views | finder | main planes found | spurious | too far off | duplicates "
             "| angle, median ° | largest | offset, median mm | largest | labels right "
             "% | CPU s a view");
@@ -464,7 +275,7 @@ const Section simulated_section("simulated", [] {
   for (const char* const name : {"office", "corridor", "loop"}) {
     std::vector<ViewScores> of_scene(finders.size());
     SimulatedScene scene = standardScene(name);
-    useKinect(scene);
+    set_sensor(scene);
     for (std::size_t view = 0; view < 10; ++view) {
       const TrueView seen = makeTrueView(scene, view);
       for (std::size_t f = 0; f < finders.size(); ++f) {
@@ -478,6 +289,32 @@ const Section simulated_section("simulated", [] {
   }
   for (std::size_t f = 0; f < finders.size(); ++f)
     of_all[f].print("all 30", finders[f].name);
+}
+
+const Section simulated_section("simulated", [] {
+  std::vector<OneViewFinder> finders;
+  for (const OneViewFinder& finder : oneViewFinders())
+    if (!finder.is_slow)
+      finders.push_back(finder);
+  printSimulated(finders, useKinect);
+});
+
+/** The noise of triangulation, without the bounds of the scenes. */
+void
+useEvenNoise(SimulatedScene& scene)
+{
+  useAllPixels(scene);
+  scene.sensor.min_noise = 0.0001;
+  scene.sensor.max_noise = 1;
+}
+
+const Section stereo_section("stereo", [] {
+  std::vector<OneViewFinder> finders = pictureFinders();
+  finders.push_back({"acmap in the picture", [](const OneView& view) {
+                       return ourPlanes(view, DepthSensor::Stereo);
+                     }});
+  printSimulated(finders, useAllPixels);
+  printSimulated(finders, useEvenNoise);
 });
 
 // At larger distances the noise of a Kinect exceeds the tolerance.
