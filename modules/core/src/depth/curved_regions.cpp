@@ -155,7 +155,7 @@ isCurved(const TileMoments& tiles,
   if (region.tiles.size() < fewest_tiles)
     return false;
   const Bend bend = bendOf(tiles, region);
-  const double sigma = deviation.on(region.fit.plane);
+  const double sigma = deviation.on(region);
   if (bend.height < min_bend * sigma)
     return false;
   for (const std::uint32_t tile : region.tiles)

@@ -129,18 +129,18 @@ class PixelLabels {
 public:
   PixelLabels(const DepthView& view,
               const TileMoments& tiles,
-              std::size_t edge,
               const std::vector<TileRegion>& regions,
               const PixelDeviation& deviation)
   : view_(view)
-  , edge_(edge)
+  , edge_(tiles.edge())
   , columns_(tiles.columns())
   , regions_(regions)
+  , deviation_(deviation)
   , near_(tiles, regions)
   , bends_(tiles.size(), 0.0)
   {
     for (const TileRegion& region : regions) {
-      const double sigma = deviation.on(region.fit.plane);
+      const double sigma = deviation.on(region);
       bands_.push_back(deviations * sigma);
       for (const std::uint32_t tile : region.tiles)
         bends_[tile] =
@@ -180,8 +180,7 @@ private:
     for (std::size_t k = 0; k < near.size; ++k) {
       const std::int32_t plane = near.planes[k];
       const double place = regions_[static_cast<std::size_t>(plane)].fit.plane.dot(ray);
-      if (std::abs(place - inverse_depth) >
-          bands_[static_cast<std::size_t>(plane)] + bend)
+      if (std::abs(place - inverse_depth) > bandOf(plane, place) + bend)
         continue;
       if (best != no_plane && !isBetter(plane, place, best, best_place, inverse_depth))
         continue;
@@ -189,6 +188,17 @@ private:
       best_place = place;
     }
     return best;
+  }
+
+  /** Maximum residual of a pixel of a plane, 1/m.
+   * \param[in] place inverse depth of the plane at the pixel */
+  double
+  bandOf(std::int32_t plane, double place) const
+  {
+    const auto region = static_cast<std::size_t>(plane);
+    return deviation_.isIndependent()
+               ? deviations * deviation_.on(regions_[region].fit.plane, place)
+               : bands_[region];
   }
 
   bool
@@ -214,9 +224,10 @@ private:
   std::size_t edge_;
   std::size_t columns_;
   const std::vector<TileRegion>& regions_;
+  const PixelDeviation& deviation_;
   PlaneNeighbourhood near_;
   std::vector<double> bends_; ///< residuals of the tiles to their planes, 1/m
-  std::vector<double> bands_; ///< maximum residual of a pixel of each plane, 1/m
+  std::vector<double> bands_; ///< of each plane, where they are uniform, 1/m
 };
 
 /** Pixels get the label of at least six of their eight neighbours if there is one,
@@ -234,8 +245,9 @@ withoutSpecks(const DepthView& view,
     const InversePlane& plane = regions[static_cast<std::size_t>(label)].fit.plane;
     const Eigen::Vector3d ray = view.ray(static_cast<double>(pixel % view.width()),
                                          static_cast<double>(pixel / view.width()));
-    return std::abs(plane.dot(ray) - static_cast<double>(view.inverseDepth(pixel))) <
-           deviations * deviation.on(plane);
+    const double place = plane.dot(ray);
+    return std::abs(place - static_cast<double>(view.inverseDepth(pixel))) <
+           deviations * deviation.on(plane, place);
   };
   PointLabels result = labels;
   const std::size_t width = view.width();
@@ -268,22 +280,16 @@ withoutSpecks(const DepthView& view,
 }
 
 /** Assigns each pixel to a region.
- * \param[in] edge of a tile, pixels
  * \return for each pixel the index of its region, or no_plane */
 PointLabels
 labelPixels(const DepthView& view,
             const TileMoments& tiles,
-            std::size_t edge,
             const std::vector<TileRegion>& regions,
             const PixelDeviation& deviation)
 {
-  return withoutSpecks(view,
-                       regions,
-                       deviation,
-                       PixelLabels(view, tiles, edge, regions, deviation).choose());
+  return withoutSpecks(
+      view, regions, deviation, PixelLabels(view, tiles, regions, deviation).choose());
 }
-
-constexpr std::size_t tile_edge = 8;
 
 /** Sums over the pixels of a plane. */
 struct PlaneSum {
@@ -361,8 +367,7 @@ dropSmall(const DepthView& view,
                                [&](const TileRegion& region) {
                                  return areaOf(view, region) < min_area ||
                                         tiltOf(region, deviation) > max_tilt ||
-                                        region.fit.rms >
-                                            max_rms * deviation.on(region.fit.plane);
+                                        region.fit.rms > max_rms * deviation.on(region);
                                }),
                 regions.end());
   return before - regions.size();
@@ -420,10 +425,13 @@ findDepthPlanes(const DepthView& view,
                 const Progress& progress)
 {
   using namespace depth;
-  const PixelDeviation deviation(view, settings.noise.sigma());
+  const PixelDeviation deviation(view, settings.noise);
   const double min_area = leastArea(view, settings);
   progress.tell(0.0, "tiles");
-  const TileMoments tiles(view, tile_edge);
+  // the mean of few pixels is sure only where they do not share their noise
+  constexpr std::size_t edge = 4, edge_of_shared_noise = 8;
+  const TileMoments tiles(view,
+                          deviation.isIndependent() ? edge : edge_of_shared_noise);
   progress.tell(0.2, "growing");
   DepthPlanes result;
   std::vector<TileRegion> regions = growTileRegions(tiles, deviation);
@@ -431,7 +439,7 @@ findDepthPlanes(const DepthView& view,
   result.curved = dropCurvedRegions(tiles, deviation, regions);
   result.small = dropSmall(view, min_area, deviation, regions);
   progress.tell(0.5, "labels");
-  result.labels = labelPixels(view, tiles, tile_edge, regions, deviation);
+  result.labels = labelPixels(view, tiles, regions, deviation);
   for (const TileRegion& region : regions) {
     result.planes.emplace_back();
     result.planes.back().inverse = region.fit.plane;

@@ -91,7 +91,7 @@ isOnePlane(const TileRegion& a,
   Moments both = a.moments;
   both += b.moments;
   const InversePlane plane = fitInverse(both).plane;
-  const double maximum = max_excess * deviation.on(plane);
+  const double maximum = max_excess * deviation.on(plane, both);
   return excess(a, plane) < maximum && excess(b, plane) < maximum &&
          isParallel(a.fit.plane, plane, tiltOf(a, deviation)) &&
          isParallel(b.fit.plane, plane, tiltOf(b, deviation));
@@ -114,7 +114,7 @@ isBentPart(const TileMoments& tiles,
   if (small.moments.count > max_share * large.moments.count ||
       large.fit.plane.normalized().dot(small.fit.plane.normalized()) <
           std::cos(max_turn) ||
-      bend > max_bend * deviation.on(large.fit.plane))
+      bend > max_bend * deviation.on(large.fit.plane, small.moments))
     return false;
   Moments border;
   const std::size_t columns = tiles.columns();

@@ -42,7 +42,8 @@ residualOf(const Moments& m, const InversePlane& plane)
 }
 
 TileMoments::TileMoments(const DepthView& view, std::size_t edge)
-: columns_((view.width() + edge - 1) / edge)
+: edge_(edge)
+, columns_((view.width() + edge - 1) / edge)
 , rows_((view.height() + edge - 1) / edge)
 , tiles_(columns_ * rows_)
 {

@@ -34,6 +34,13 @@ public:
    * \param[in] edge pixels; tiles at the right and lower border may be smaller */
   TileMoments(const DepthView& view, std::size_t edge);
 
+  /** Pixels. */
+  std::size_t
+  edge() const
+  {
+    return edge_;
+  }
+
   std::size_t
   columns() const
   {
@@ -63,6 +70,7 @@ public:
   block(std::size_t column, std::size_t row, std::size_t tiles) const;
 
 private:
+  std::size_t edge_;
   std::size_t columns_;
   std::size_t rows_;
   std::vector<Moments> tiles_;

@@ -8,7 +8,7 @@ namespace pcl::acmap::depth {
 namespace {
 
 constexpr std::int32_t nobody = -1;
-constexpr double fewest_pixels = 16; // minimum for a tile that may join a plane
+constexpr double fewest_share = 0.25; // of the pixels of a tile that may join a plane
 
 /** A block of tiles that is planar. */
 struct Seed {
@@ -20,6 +20,7 @@ class RegionGrower {
 public:
   RegionGrower(const TileMoments& tiles, const PixelDeviation& deviation)
   : tiles_(tiles)
+  , pixels_a_tile_(static_cast<double>(tiles.edge() * tiles.edge()))
   , deviation_(deviation)
   , owner_(tiles.size(), nobody)
   {}
@@ -42,8 +43,8 @@ private:
   std::vector<Seed>
   seedsOf(std::size_t block, double flatness) const
   {
-    constexpr double filled = 0.9, pixels_a_tile = 64; // other blocks are at a border
-    const double enough = filled * pixels_a_tile * static_cast<double>(block * block);
+    constexpr double filled = 0.9; // other blocks are at a border
+    const double enough = filled * pixels_a_tile_ * static_cast<double>(block * block);
     std::vector<Seed> seeds;
     for (std::size_t row = 0; row + block <= tiles_.rows(); ++row)
       for (std::size_t column = 0; column + block <= tiles_.columns(); ++column) {
@@ -51,7 +52,7 @@ private:
         if (sum.count < enough)
           continue;
         const InverseFit fit = fitInverse(sum);
-        if (fit.rms < flatness * deviation_.on(fit.plane))
+        if (fit.rms < flatness * deviation_.on(fit.plane, sum))
           seeds.push_back({fit.rms,
                            static_cast<std::uint32_t>(column),
                            static_cast<std::uint32_t>(row)});
@@ -84,9 +85,13 @@ private:
   bool
   fits(std::uint32_t tile, const InversePlane& plane) const
   {
-    constexpr double band = 2.4; // maximum deviation of tiles of real walls
-    return tiles_[tile].count >= fewest_pixels &&
-           residualOf(tiles_[tile], plane).rms < band * deviation_.on(plane);
+    // maximum deviation of tiles, of real walls where pixels share noise
+    constexpr double band = 1.8, shared_band = 2.4;
+    const Moments& sum = tiles_[tile];
+    return sum.count >= fewest_share * pixels_a_tile_ &&
+           residualOf(sum, plane).rms <
+               (deviation_.isIndependent() ? band : shared_band) *
+                   deviation_.on(plane, sum);
   }
 
   void
@@ -179,17 +184,43 @@ private:
   }
 
   const TileMoments& tiles_;
-  PixelDeviation deviation_;
+  double pixels_a_tile_;
+  const PixelDeviation& deviation_;
   std::vector<std::int32_t> owner_;
   std::vector<TileRegion> regions_;
 };
 
 } // namespace
 
+PixelDeviation::PixelDeviation(const DepthView& view,
+                               const NoiseScale::InverseDepth& noise)
+: focal_(view.focal())
+, sigma_(noise.sigma())
+{
+  if (!noise.isIndependent())
+    return;
+  constexpr std::size_t cells = 256;
+  const std::vector<NoiseScale::InverseDepth::AtDepth>& known = noise.by_depth;
+  cells_a_unit_ = cells / known.back().inverse_depth;
+  for (std::size_t cell = 0, next = 0; cell < cells; ++cell) {
+    const double place = (static_cast<double>(cell) + 0.5) / cells_a_unit_;
+    while (next < known.size() && known[next].inverse_depth < place)
+      ++next;
+    if (next == 0 || next == known.size()) {
+      by_depth_.push_back(known[next == 0 ? 0 : next - 1].sigma);
+      continue;
+    }
+    const auto &low = known[next - 1], &high = known[next];
+    const double share =
+        (place - low.inverse_depth) / (high.inverse_depth - low.inverse_depth);
+    by_depth_.push_back(low.sigma + share * (high.sigma - low.sigma));
+  }
+}
+
 double
 tiltOf(const TileRegion& region, const PixelDeviation& deviation)
 {
-  constexpr double pixels_of_shared_noise = 1024;
+  const double pixels_of_shared_noise = deviation.isIndependent() ? 1 : 1024;
   const Moments& m = region.moments;
   const double xm = m.x / m.count, ym = m.y / m.count;
   const double xx = m.xx - m.count * xm * xm, xy = m.xy - m.count * xm * ym;
@@ -197,7 +228,7 @@ tiltOf(const TileRegion& region, const PixelDeviation& deviation)
   const double half = (xx + yy) / 2;
   const double minimum =
       half - std::sqrt(std::max(half * half - (xx * yy - xy * xy), 0.0));
-  return deviation.on(region.fit.plane) *
+  return deviation.on(region) *
          std::sqrt(pixels_of_shared_noise / std::max(minimum, 1e-12)) /
          region.fit.plane.norm();
 }
@@ -206,6 +237,10 @@ std::vector<TileRegion>
 growTileRegions(const TileMoments& tiles, const PixelDeviation& deviation)
 {
   RegionGrower grower(tiles, deviation);
+  if (deviation.isIndependent()) { // of half the edge
+    grower.growFrom(12, 1.7);
+    grower.growFrom(8, 1.7);
+  }
   grower.growFrom(6, 1.7);
   grower.growFrom(4, 1.7);
   grower.growFrom(3, 1.7);

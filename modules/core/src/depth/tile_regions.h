@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace pcl::acmap::depth {
 
@@ -18,22 +19,48 @@ struct TileRegion {
 /** Deviation of the pixels of a plane in inverse depth. */
 class PixelDeviation {
 public:
-  PixelDeviation(const DepthView& view, double sigma)
-  : focal_(view.focal())
-  , sigma_(sigma)
-  {}
+  PixelDeviation(const DepthView& view, const NoiseScale::InverseDepth& noise);
 
-  /** Standard deviation on a frontal plane, 1/m. */
-  double
-  sigma() const
+  /** Is it independent between pixels? */
+  bool
+  isIndependent() const
   {
-    return sigma_;
+    return !by_depth_.empty();
   }
 
-  /** Standard deviation on a slanted plane, 1/m. The matching window, or the filter of
-   * the camera, also causes an error of the image position of a measurement. */
+  /** Standard deviation on a plane at an inverse depth, both 1/m. Noise that pixels share
+   * comes from the matching window, or the filter of the camera, which also cause an error
+   * of the image position of a measurement. */
   double
-  on(const InversePlane& plane) const
+  on(const InversePlane& plane, double inverse_depth) const
+  {
+    return isIndependent() ? at(inverse_depth) : onSlanted(plane);
+  }
+
+  /** On the plane of a region, at its mean inverse depth. */
+  double
+  on(const TileRegion& region) const
+  {
+    return on(region.fit.plane, region.moments);
+  }
+
+  double
+  on(const InversePlane& plane, const Moments& moments) const
+  {
+    return on(plane, moments.z / moments.count);
+  }
+
+private:
+  double
+  at(double inverse_depth) const
+  {
+    const double cell = inverse_depth * cells_a_unit_;
+    const double last = static_cast<double>(by_depth_.size() - 1);
+    return by_depth_[static_cast<std::size_t>(std::clamp(cell, 0.0, last))];
+  }
+
+  double
+  onSlanted(const InversePlane& plane) const
   {
     constexpr double misplaced = 0.6; // pixels; the same for a Kinect and for stereo
     constexpr double maximum = 2;     // steeper slopes are depth edges
@@ -42,13 +69,14 @@ public:
     return std::sqrt(sigma_ * sigma_ + off * off);
   }
 
-private:
   Eigen::Vector2d focal_;
-  double sigma_;
+  double sigma_;                 ///< on a frontal plane, 1/m
+  std::vector<double> by_depth_; ///< in even cells of inverse depth from 0; or empty
+  double cells_a_unit_ = 0;      ///< metres
 };
 
-/** Standard deviation of the tilt of the plane in radians, assuming that the noise is
- * correlated for pixels up to 32 apart. */
+/** Standard deviation of the tilt of the plane in radians. Noise that is not independent
+ * is assumed to be shared by pixels up to 32 apart. */
 double
 tiltOf(const TileRegion& region, const PixelDeviation& deviation);
 

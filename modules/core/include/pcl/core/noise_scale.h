@@ -59,11 +59,29 @@ struct NoiseScale {
     /** \brief Standard deviation of the part shared over tens of pixels. */
     double correlated = 0;
 
+    /** \brief Standard deviation of the pixels at one inverse depth. */
+    struct AtDepth {
+      double inverse_depth = 0; ///< 1/m
+      double sigma = 0;         ///< 1/m
+    };
+
+    /** \brief If the depth is not quantised and the noise is independent between pixels:
+     * its standard deviation by ascending inverse depth, which need not be uniform.
+     * Otherwise empty. */
+    std::vector<AtDepth> by_depth;
+
     /** \brief Standard deviation of the inverse depth of a pixel. */
     double
     sigma() const
     {
       return std::sqrt(independent * independent + correlated * correlated);
+    }
+
+    /** \brief Is the noise independent between pixels, so that \ref by_depth is known? */
+    bool
+    isIndependent() const
+    {
+      return !by_depth.empty();
     }
   };
 
@@ -118,6 +136,16 @@ visitFields(const NoiseScale::InverseDepth& noise, Visitor&& visit)
   visit({"step", "1/m"}, noise.step);
   visit({"independent_sigma", "1/m"}, noise.independent);
   visit({"correlated_sigma", "1/m"}, noise.correlated);
+  visit({"by_depth"}, noise.by_depth);
+}
+
+/** \brief Calls visit (field, value) for each field; see \ref acmap::Field. */
+template <typename Visitor>
+void
+visitFields(const NoiseScale::InverseDepth::AtDepth& noise, Visitor&& visit)
+{
+  visit({"inverse_depth", "1/m"}, noise.inverse_depth);
+  visit({"sigma", "1/m"}, noise.sigma);
 }
 
 namespace acmap {

@@ -174,7 +174,8 @@ ACMAP_EXPORT double
 measureDepthStep(const PointView& points);
 
 /** \brief Measures the noise of the inverse depth of a view, on tiles of 4, 8 and 32
- * pixels in width. The lower quartile of the tiles is assumed to be planar.
+ * pixels in width. The lower quartile of the tiles is assumed to be planar. Without
+ * quantisation, noise that is independent between pixels is measured by depth, too.
  * \param[in] step see \ref measureDepthStep; 0 if the depth is not quantised */
 ACMAP_EXPORT NoiseScale::InverseDepth
 measureInverseDepthNoise(const DepthView& view, double step);
