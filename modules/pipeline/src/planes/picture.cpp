@@ -1,27 +1,55 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/input_check.h>
-#include <pcl/filters/depth_refinement.h>
+#include <pcl/filters/impl/depth_refinement_kernel.h>
 #include <pcl/pipeline/picture.h>
 
 #include <cstring>
+#include <utility>
 
 namespace pcl {
 
 namespace acmap {
 namespace {
 
-PointCloud<PointXYZ>::Ptr
-organized(const PointView& points, std::size_t width)
+/** \param[in] step of the depths of the points, see \ref measureDepthStep */
+std::optional<Picture>
+recognize(const PointView& points, std::size_t width, double step)
 {
-  PointCloud<PointXYZ>::Ptr cloud(new PointCloud<PointXYZ>);
-  cloud->resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    (*cloud)[i].getVector3fMap() = points[i];
-  cloud->width = static_cast<std::uint32_t>(width);
-  cloud->height = static_cast<std::uint32_t>(points.size() / width);
-  cloud->is_dense = false;
-  return cloud;
+  const std::optional<PictureView> picture = PictureView::find(points, width);
+  if (!picture)
+    return std::nullopt;
+  std::optional<DepthView> view =
+      DepthView::recognize(picture->points(), picture->width());
+  if (!view)
+    return std::nullopt;
+  const NoiseScale::InverseDepth noise = measureInverseDepthNoise(
+      *view, picture->order() ? measureDepthStep(picture->points()) : step);
+  return Picture{{std::move(*view), noise}, picture->order()};
+}
+
+bool
+isInSpace(DepthSensor sensor)
+{
+  return sensor == DepthSensor::TimeOfFlight || sensor == DepthSensor::Laser;
+}
+
+std::optional<Picture>
+pictureWithStep(const PointView& points,
+                std::size_t width,
+                DepthSensor sensor,
+                double step)
+{
+  const bool is_automatic = sensor == DepthSensor::Automatic;
+  if (is_automatic && step == 0)
+    return std::nullopt;
+  std::optional<Picture> picture = recognize(points, width, step);
+  if (picture || is_automatic)
+    return picture;
+  throw acmap::Unorganized(
+      "quantised depth and stereo need one organized view in its "
+      "sensor's frame, z forward, with at least 1000 points, or what is "
+      "left of one without its NaN pixels");
 }
 
 } // namespace
@@ -29,20 +57,24 @@ organized(const PointView& points, std::size_t width)
 std::optional<Picture>
 pictureOf(const PointView& points, std::size_t width, DepthSensor sensor)
 {
-  if (sensor == DepthSensor::TimeOfFlight || sensor == DepthSensor::Laser)
+  if (isInSpace(sensor))
     return std::nullopt;
-  const bool is_automatic = sensor == DepthSensor::Automatic;
-  if (is_automatic && measureDepthStep(points) == 0)
+  return pictureWithStep(points, width, sensor, measureDepthStep(points));
+}
+
+std::optional<Picture>
+planePictureOf(const PointView& points, std::size_t width, DepthSensor sensor)
+{
+  if (isInSpace(sensor))
     return std::nullopt;
-  const std::optional<PictureView> view = PictureView::find(points, width);
-  if (view && DepthView::recognize(view->points(), view->width()))
-    return Picture{organized(view->points(), view->width()), view->order()};
-  if (is_automatic)
-    return std::nullopt;
-  throw acmap::Unorganized(
-      "quantised depth and stereo need one organized view in its "
-      "sensor's frame, z forward, with at least 1000 points, or what is "
-      "left of one without its NaN pixels");
+  const double step = measureDepthStep(points);
+  const bool is_organized = width > 1 && width < points.size();
+  if (sensor != DepthSensor::Automatic || step > 0 || !is_organized)
+    return pictureWithStep(points, width, sensor, step);
+  std::optional<Picture> picture = recognize(points, width, step);
+  if (picture && !picture->seen.noise.isIndependent())
+    picture.reset();
+  return picture;
 }
 
 } // namespace acmap
@@ -63,15 +95,17 @@ refineView(const acmap::PointView& points,
       points.size() > 0 ? acmap::pictureOf(points, width, sensor) : std::nullopt;
   if (!picture)
     return false;
-  DepthRefinement<PointXYZ> refinement;
-  refinement.setInputCloud(picture->points);
-  refinement.setNumberOfThreads(threads);
-  PointCloud<PointXYZ> refined;
-  refinement.filter(refined);
+  DepthRefinementReport report;
+  const acmap::RefinedDepth refined = acmap::refineDepth(picture->seen.view,
+                                                         picture->seen.noise,
+                                                         nullptr,
+                                                         threads,
+                                                         acmap::Progress(),
+                                                         report);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::size_t pixel = picture->order ? picture->order->pixels[i] : i;
     if (pixel != acmap::PictureOrder::nowhere)
-      move(i, refined[pixel]);
+      move(i, refined.points[pixel]);
   }
   return true;
 }
@@ -83,10 +117,13 @@ refineQuantisedDepth(PointCloud<PointXYZ>& view, DepthSensor sensor, unsigned th
 {
   const acmap::PointView points(
       view.empty() ? nullptr : &view.front().x, sizeof(PointXYZ), view.size());
-  const bool is_refined = refineView(
-      points, view.width, sensor, threads, [&](std::size_t i, const PointXYZ& point) {
-        view[i] = point;
-      });
+  const bool is_refined = refineView(points,
+                                     view.width,
+                                     sensor,
+                                     threads,
+                                     [&](std::size_t i, const Eigen::Vector3f& point) {
+                                       view[i].getVector3fMap() = point;
+                                     });
   view.is_dense = view.is_dense && !is_refined;
   return is_refined;
 }
@@ -99,14 +136,14 @@ refineQuantisedDepth(const std::shared_ptr<const PointCloudFile>& observation,
   acmap::requireGiven<acmap::BadArgument>(observation);
   std::shared_ptr<PointCloudFile> refined; // copied only if there is something to move
   std::size_t position = 0;
-  const auto move = [&](std::size_t i, const PointXYZ& point) {
+  const auto move = [&](std::size_t i, const Eigen::Vector3f& point) {
     if (!refined) {
       refined = std::make_shared<PointCloudFile>(*observation);
       refined->cloud.is_dense = 0;
       position = acmap::findField(refined->cloud, "x")->offset;
     }
     std::memcpy(&refined->cloud.data[i * refined->cloud.point_step + position],
-                point.data,
+                point.data(),
                 3 * sizeof(float));
   };
   if (!refineView(

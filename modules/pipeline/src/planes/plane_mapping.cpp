@@ -18,6 +18,7 @@
 #include <pcl/pipeline/picture.h>
 #include <pcl/pipeline/plane_mapping.h>
 #include <pcl/segmentation/box_fitting.h>
+#include <pcl/segmentation/impl/depth_plane_kernel.h>
 #include <pcl/segmentation/plane_conversions.h>
 #include <pcl/segmentation/recess_fitting.h>
 
@@ -202,14 +203,16 @@ public:
   {
     MappedPlanes result = emptyResult();
     assessPicture();
-    PlaneMapping::DepthSegmentation segmentation = mapping_.getDepthSegmentation();
-    segmentation.setInputCloud(picture.points);
-    prepare(segmentation, 0, 0.15);
-    segmentation.segment(result.planes);
-    report_.depth_planes = segmentation.getReport();
+    PlaneClusters clusters =
+        segmentDepthPlanes(picture.seen.view,
+                           picture.seen.noise,
+                           mapping_.getDepthSegmentation().settings(),
+                           Progress(partOf(progress_, scaled(0), scaled(0.15))),
+                           report_.depth_planes.emplace());
+    result.planes = std::move(clusters.patches);
     addRemarks(*report_.depth_planes);
     finish("planes");
-    const PointLabels& labels = segmentation.getLabels();
+    const PointLabels& labels = clusters.labels;
     result.labels = picture.order ? picture.order->labelsOfPoints(labels) : labels;
     result.finite_points =
         report_.depth_planes->points - report_.depth_planes->invalid_points;
@@ -324,14 +327,18 @@ private:
     return mapping_.getComputeCylinders() ? 1 : 2;
   }
 
+  /** \param[in] fraction of the time of all steps, where cylinders are looked for */
+  double
+  scaled(double fraction) const
+  {
+    return std::min(1.0, timeScale() * fraction);
+  }
+
   /** \param[in] from, to fractions of the time of all steps, where cylinders are looked for */
   template <typename Step>
   void
   prepare(Step& step, double from, double to)
   {
-    const auto scaled = [&](double fraction) {
-      return std::min(1.0, timeScale() * fraction);
-    };
     step.setNumberOfThreads(mapping_.getNumberOfThreads());
     step.setProgressCallback(partOf(progress_, scaled(from), scaled(to)));
   }
@@ -770,7 +777,7 @@ PlaneMapping::runSteps(bool compute_mesh, MappedPlanes& result)
     found = run.fromMesh(input_mesh_);
   }
   else if (const std::optional<Picture> picture =
-               pictureOf(points, rows.layout().width, getUsedDepthSensor()))
+               planePictureOf(points, rows.layout().width, getUsedDepthSensor()))
     found = run.inPicture(*picture);
   else
     found = run.inSpace(viewpoints_);

@@ -11,7 +11,7 @@ namespace pcl::acmap {
 
 /** \brief Points that are processed as a picture. */
 struct Picture {
-  PointCloud<PointXYZ>::Ptr points;  ///< organized, metres, NaN without a measurement
+  MeasuredDepthView seen;
   std::optional<PictureOrder> order; ///< if the points were not organized
 };
 
@@ -22,5 +22,11 @@ struct Picture {
  * none */
 ACMAP_EXPORT std::optional<Picture>
 pictureOf(const PointView& points, std::size_t width, DepthSensor sensor);
+
+/** \brief The same for finding planes: with DepthSensor::Automatic also organized points
+ * whose depth is not quantised, but whose noise is independent between pixels, so that it
+ * can be measured by depth. */
+ACMAP_EXPORT std::optional<Picture>
+planePictureOf(const PointView& points, std::size_t width, DepthSensor sensor);
 
 } // namespace pcl::acmap
