@@ -71,14 +71,4 @@ TileMoments::TileMoments(const DepthView& view, std::size_t edge)
   }
 }
 
-Moments
-TileMoments::block(std::size_t column, std::size_t row, std::size_t tiles) const
-{
-  Moments sum;
-  for (std::size_t r = row; r < row + tiles; ++r)
-    for (std::size_t c = column; c < column + tiles; ++c)
-      sum += tiles_[r * columns_ + c];
-  return sum;
-}
-
 } // namespace pcl::acmap::depth

@@ -65,10 +65,6 @@ public:
     return tiles_[tile];
   }
 
-  /** Sum over tiles x tiles tiles; column and row are those of the upper left one. */
-  Moments
-  block(std::size_t column, std::size_t row, std::size_t tiles) const;
-
 private:
   std::size_t edge_;
   std::size_t columns_;

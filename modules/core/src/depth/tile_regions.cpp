@@ -26,9 +26,9 @@ public:
   {}
 
   void
-  growFrom(std::size_t block, double flatness)
+  growFrom(std::size_t block, std::size_t stride, double flatness)
   {
-    for (const Seed& seed : seedsOf(block, flatness))
+    for (const Seed& seed : seedsOf(block, stride, flatness))
       if (isFree(seed, block))
         grow(seed, block);
   }
@@ -40,27 +40,47 @@ public:
   }
 
 private:
+  /** The free planar blocks, the flattest first. */
   std::vector<Seed>
-  seedsOf(std::size_t block, double flatness) const
+  seedsOf(std::size_t block, std::size_t stride, double flatness) const
   {
     constexpr double filled = 0.9; // other blocks are at a border
     const double enough = filled * pixels_a_tile_ * static_cast<double>(block * block);
     std::vector<Seed> seeds;
-    for (std::size_t row = 0; row + block <= tiles_.rows(); ++row)
-      for (std::size_t column = 0; column + block <= tiles_.columns(); ++column) {
-        const Moments sum = tiles_.block(column, row, block);
+    std::vector<Moments> of_columns(tiles_.columns());
+    for (std::size_t row = 0; row + block <= tiles_.rows(); row += stride) {
+      sumColumns(row, block, of_columns);
+      for (std::size_t column = 0; column + block <= tiles_.columns();
+           column += stride) {
+        const Seed seed{
+            0, static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)};
+        if (!isFree(seed, block))
+          continue;
+        Moments sum;
+        for (std::size_t c = column; c < column + block; ++c)
+          sum += of_columns[c];
         if (sum.count < enough)
           continue;
         const InverseFit fit = fitInverse(sum);
         if (fit.rms < flatness * deviation_.on(fit.plane, sum))
-          seeds.push_back({fit.rms,
-                           static_cast<std::uint32_t>(column),
-                           static_cast<std::uint32_t>(row)});
+          seeds.push_back({fit.rms, seed.column, seed.row});
       }
+    }
     std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) {
       return a.rms < b.rms;
     });
     return seeds;
+  }
+
+  /** Sums of the columns of some rows, of which blocks are made. */
+  void
+  sumColumns(std::size_t row, std::size_t rows, std::vector<Moments>& sums) const
+  {
+    for (std::size_t column = 0; column < sums.size(); ++column) {
+      sums[column] = {};
+      for (std::size_t r = row; r < row + rows; ++r)
+        sums[column] += tiles_[r * tiles_.columns() + column];
+    }
   }
 
   template <typename Visit>
@@ -75,11 +95,15 @@ private:
   bool
   isFree(const Seed& seed, std::size_t block) const
   {
-    bool is_free = true;
-    visitBlock(seed, block, [&](std::uint32_t tile) {
-      is_free = is_free && owner_[tile] == nobody;
-    });
-    return is_free;
+    for (std::size_t row = seed.row; row < seed.row + block; ++row) {
+      const auto first = owner_.begin() + static_cast<std::ptrdiff_t>(
+                                              row * tiles_.columns() + seed.column);
+      if (std::any_of(first,
+                      first + static_cast<std::ptrdiff_t>(block),
+                      [](std::int32_t owner) { return owner != nobody; }))
+        return false;
+    }
+    return true;
   }
 
   bool
@@ -238,13 +262,13 @@ growTileRegions(const TileMoments& tiles, const PixelDeviation& deviation)
 {
   RegionGrower grower(tiles, deviation);
   if (deviation.isIndependent()) { // of half the edge
-    grower.growFrom(12, 1.7);
-    grower.growFrom(8, 1.7);
+    grower.growFrom(12, 2, 1.7);
+    grower.growFrom(8, 2, 1.7);
   }
-  grower.growFrom(6, 1.7);
-  grower.growFrom(4, 1.7);
-  grower.growFrom(3, 1.7);
-  grower.growFrom(2, 1.2); // so few pixels may be planar by chance
+  grower.growFrom(6, 1, 1.7);
+  grower.growFrom(4, 1, 1.7);
+  grower.growFrom(3, 1, 1.7);
+  grower.growFrom(2, 1, 1.2); // so few pixels may be planar by chance
   return grower.take();
 }
 
