@@ -1,6 +1,7 @@
 #include "depth_room.h"
 
 #include <pcl/core/impl/depth_view.h>
+#include <pcl/core/random.h>
 
 #include <gtest/gtest.h>
 
@@ -192,6 +193,51 @@ TEST(InverseDepthNoise, tellsWhatNeighboursShareFromWhatIsAPixelsOwn)
     EXPECT_GT(noise.independent, 0.8 * independent);
     EXPECT_LT(noise.independent, std::hypot(independent, 0.5 * correlated));
   }
+}
+
+NoiseScale::InverseDepth
+noiseOf(const DepthRoom& room, double step)
+{
+  const auto view = DepthView::recognize(viewOf(room.points), DepthRoom::width);
+  return view ? measureInverseDepthNoise(*view, step) : NoiseScale::InverseDepth();
+}
+
+TEST(InverseDepthNoise, isMeasuredByDepthOnlyWhereItIsAPixelsOwn)
+{
+  DepthRoom::Camera camera;
+  camera.step = 0;
+  camera.independent = 2e-3;
+  camera.correlated = 0;
+  const NoiseScale::InverseDepth noise = noiseOf(DepthRoom(camera), 0);
+  ASSERT_TRUE(noise.isIndependent());
+  double before = 0;
+  for (const NoiseScale::InverseDepth::AtDepth& at : noise.by_depth) {
+    EXPECT_GT(at.inverse_depth, before);
+    EXPECT_NEAR(at.sigma, camera.independent, 0.15 * camera.independent);
+    before = at.inverse_depth;
+  }
+  camera.independent = camera.correlated = 1e-3;
+  EXPECT_FALSE(noiseOf(DepthRoom(camera), 0).isIndependent());
+  camera.independent = camera.correlated = 0; // only the rounding of floats
+  EXPECT_FALSE(noiseOf(DepthRoom(camera), 0).isIndependent());
+  EXPECT_FALSE(noiseOf(DepthRoom({}), DepthRoom::Camera().step).isIndependent());
+}
+
+TEST(InverseDepthNoise, ofPixelsMayBeUniformInMetres)
+{
+  constexpr double sigma = 0.01; // metres
+  DepthRoom::Camera camera;
+  camera.step = camera.independent = camera.correlated = 0;
+  DepthRoom room(camera);
+  Random random(3);
+  for (Eigen::Vector3f& point : room.points) {
+    const double depth = static_cast<double>(point.z());
+    point *= static_cast<float>(1 + sigma * random.normal() / depth);
+  }
+  const NoiseScale::InverseDepth noise = noiseOf(room, 0);
+  ASSERT_TRUE(noise.isIndependent());
+  for (const NoiseScale::InverseDepth::AtDepth& at : noise.by_depth)
+    EXPECT_NEAR(at.sigma / at.inverse_depth / at.inverse_depth, sigma, 0.15 * sigma);
 }
 
 TEST(InverseDepthNoise, isNotBelowTheRounding)

@@ -516,9 +516,9 @@ TEST_F(Office, hasNoColumnInItsFirstViews)
 }
 
 PointCloud<PointXYZ>::Ptr
-kinectView()
+viewOf(const DepthRoom::Camera& camera)
 {
-  const DepthRoom room{{}};
+  const DepthRoom room{camera};
   PointCloud<PointXYZ>::Ptr view(new PointCloud<PointXYZ>);
   for (const Eigen::Vector3f& point : room.points)
     view->push_back(PointXYZ(point.x(), point.y(), point.z()));
@@ -526,6 +526,32 @@ kinectView()
   view->height = DepthRoom::height;
   view->is_dense = false;
   return view;
+}
+
+PointCloud<PointXYZ>::Ptr
+kinectView()
+{
+  return viewOf({});
+}
+
+TEST(PlaneMapping, worksInThePictureWhereTheNoiseIsThatOfPixels)
+{
+  DepthRoom::Camera camera;
+  camera.step = 0;
+  camera.independent = 1e-3;
+  for (const double correlated : {0.0, 2e-3}) {
+    camera.correlated = correlated;
+    PlaneMapping mapping;
+    mapping.setInputCloud(viewOf(camera));
+    mapping.setComputeMesh(false);
+    MappedPlanes found;
+    mapping.compute(found);
+    const bool is_picture = mapping.getReport().depth_planes.has_value();
+    EXPECT_EQ(is_picture, correlated == 0) << correlated;
+    if (is_picture) {
+      EXPECT_EQ(found.planes.size(), DepthRoom(camera).planes.size());
+    }
+  }
 }
 
 TEST(PlaneMapping, findsThePlanesOfAKinectInItsPicture)

@@ -40,7 +40,8 @@ quantiles(std::vector<float>& values)
   const auto high = values.end() - 1 - static_cast<std::ptrdiff_t>(tenth);
   std::nth_element(values.begin(), low, values.end());
   const float minimum = *low;
-  std::nth_element(values.begin(), high, values.end());
+  if (low != high) // the others are already on their sides of the lower one
+    std::nth_element(low + 1, high, values.end());
   return {minimum, *high};
 }
 

@@ -159,11 +159,10 @@ public:
         const PlaneNeighbourhood::Near& near = near_[tile];
         if (near.size == 0 || !(view_.inverseDepth(pixel) > 0))
           continue;
-        labels[pixel] =
-            chooseOne(static_cast<double>(view_.inverseDepth(pixel)),
-                      view_.ray(static_cast<double>(column), static_cast<double>(row)),
-                      near,
-                      bends_[tile]);
+        labels[pixel] = chooseOne(static_cast<double>(view_.inverseDepth(pixel)),
+                                  view_.rayOf(column, row),
+                                  near,
+                                  bends_[tile]);
       }
     return labels;
   }
@@ -243,8 +242,7 @@ withoutSpecks(const DepthView& view,
       return true;
     constexpr double deviations = 7;
     const InversePlane& plane = regions[static_cast<std::size_t>(label)].fit.plane;
-    const Eigen::Vector3d ray = view.ray(static_cast<double>(pixel % view.width()),
-                                         static_cast<double>(pixel / view.width()));
+    const Eigen::Vector3d ray = view.rayOf(pixel % view.width(), pixel / view.width());
     const double place = plane.dot(ray);
     return std::abs(place - static_cast<double>(view.inverseDepth(pixel))) <
            deviations * deviation.on(plane, place);
@@ -312,8 +310,7 @@ sumPixels(const DepthView& view,
       if (labels[pixel] == no_plane)
         continue;
       const auto plane = static_cast<std::size_t>(labels[pixel]);
-      const Eigen::Vector3d ray =
-          view.ray(static_cast<double>(column), static_cast<double>(row));
+      const Eigen::Vector3d ray = view.rayOf(column, row);
       const double inverse_depth = static_cast<double>(view.inverseDepth(pixel));
       sums[plane].moments += momentsOf({ray.x(), ray.y(), inverse_depth});
       // dA = z^3 |(a, b, c)| dx dy

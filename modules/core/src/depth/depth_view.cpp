@@ -47,6 +47,10 @@ DepthView::recognize(const PointView& points, std::size_t width)
   if (!camera)
     return std::nullopt;
   view.camera_ = *camera;
+  for (std::size_t column = 0; column < view.width(); ++column)
+    view.x_of_column_.push_back(view.ray(static_cast<double>(column), 0).x());
+  for (std::size_t row = 0; row < view.height(); ++row)
+    view.y_of_row_.push_back(view.ray(0, static_cast<double>(row)).y());
   return view;
 }
 

@@ -51,14 +51,14 @@ TileMoments::TileMoments(const DepthView& view, std::size_t edge)
     Moments* const tiles = &tiles_[row / edge * columns_];
     for (std::size_t tile = 0, column = 0; tile < columns_; ++tile) {
       Moments& sum = tiles[tile];
-      const double y = view.ray(0, static_cast<double>(row)).y();
+      const double y = view.rayOf(0, row).y();
       double n = 0, x1 = 0, u1 = 0, x2 = 0, xu = 0, u2 = 0;
       for (const std::size_t end = std::min(column + edge, view.width()); column < end;
            ++column, ++pixel) {
         const double u = static_cast<double>(view.inverseDepth(pixel));
         if (!(u > 0))
           continue;
-        const double x = view.ray(static_cast<double>(column), 0).x();
+        const double x = view.rayOf(column, 0).x();
         n += 1;
         x1 += x;
         u1 += u;

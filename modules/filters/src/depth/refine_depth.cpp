@@ -130,8 +130,7 @@ refineDepth(const DepthView& view,
   refined.points.assign(view.size(), none);
   refined.normals.assign(view.size(), none);
   const auto rayOf = [&](std::size_t pixel) {
-    return view.ray(static_cast<double>(pixel % view.width()),
-                    static_cast<double>(pixel / view.width()));
+    return view.rayOf(pixel % view.width(), pixel / view.width());
   };
   const auto set =
       [&](std::size_t pixel, double inverse_depth, const Eigen::Vector3d& inverse) {

@@ -38,13 +38,7 @@ public:
   explicit PixelCorners(const DepthView& view)
   : view_(view)
   , columns_(view.width() + 1)
-  {
-    places_.reserve(columns_ * (view.height() + 1));
-    for (std::size_t row = 0; row <= view.height(); ++row)
-      for (std::size_t column = 0; column <= view.width(); ++column)
-        places_.emplace_back(std::copysign(column, view.focal().x()),
-                             -std::copysign(row, view.focal().y()));
-  }
+  {}
 
   /** For each plane the pixel edges that have its pixels on their left, sorted. */
   std::vector<Edges>
@@ -85,10 +79,12 @@ public:
     return rims;
   }
 
-  const std::vector<Eigen::Vector2d>&
-  places() const
+  Eigen::Vector2d
+  place(std::int32_t corner) const
   {
-    return places_;
+    const auto index = static_cast<std::size_t>(corner);
+    return {std::copysign(static_cast<double>(index % columns_), view_.focal().x()),
+            -std::copysign(static_cast<double>(index / columns_), view_.focal().y())};
   }
 
   /** Viewing ray through a position of the image, in pixels. */
@@ -101,7 +97,6 @@ public:
 private:
   const DepthView& view_;
   std::size_t columns_;
-  std::vector<Eigen::Vector2d> places_;
 };
 
 std::vector<outlines::Loop>
@@ -111,11 +106,11 @@ loopsOf(const Edges& edges,
 {
   constexpr double tolerance = 1.5, min_area = 25; // pixels, square pixels
   std::vector<outlines::Loop> loops;
-  for (const std::vector<std::int32_t>& rim :
-       outlines::edgeLoops(edges, corners.places())) {
+  for (const std::vector<std::int32_t>& rim : outlines::edgeLoops(
+           edges, [&](std::int32_t corner) { return corners.place(corner); })) {
     outlines::Loop in_picture;
     for (const std::int32_t corner : rim)
-      in_picture.push_back(corners.places()[static_cast<std::size_t>(corner)]);
+      in_picture.push_back(corners.place(corner));
     if (std::abs(outlines::signedArea(in_picture)) < min_area)
       continue;
     outlines::Loop loop;
@@ -179,6 +174,9 @@ std::vector<PatchSums>
 sumPlanes(const DepthView& view, const DepthPlanes& found)
 {
   std::vector<PatchSums> sums(found.planes.size());
+  std::vector<double> scales; // 1/distances of the planes
+  for (const DepthPlane& plane : found.planes)
+    scales.push_back(plane.inverse.norm());
   for (std::size_t top = 0; top < view.height(); top += cluster_edge)
     for (std::size_t left = 0; left < view.width(); left += cluster_edge) {
       for (std::size_t row = top; row < std::min(top + cluster_edge, view.height());
@@ -191,15 +189,14 @@ sumPlanes(const DepthView& view, const DepthPlanes& found)
             continue;
           const auto p = static_cast<std::size_t>(found.labels[pixel]);
           const Eigen::Vector3d& inverse = found.planes[p].inverse;
-          const Eigen::Vector3d ray =
-              view.ray(static_cast<double>(column), static_cast<double>(row));
+          const Eigen::Vector3d ray = view.rayOf(column, row);
           const double measured = static_cast<double>(view.inverseDepth(pixel));
           const double of_plane = inverse.dot(ray);
           PatchSums& sum = sums[p];
           sum.points += momentsOf(ray / of_plane);
           sum.rays += ray * ray.transpose();
           sum.cluster += (measured - of_plane) * ray;
-          const double off = (of_plane - measured) / (measured * inverse.norm());
+          const double off = (of_plane - measured) / (measured * scales[p]);
           sum.squares += off * off;
         }
       for (PatchSums& sum : sums)

@@ -33,18 +33,20 @@ RimEdge*
 nextEdge(std::vector<RimEdge>& rim,
          const RimEdge& first,
          const RimEdge& edge,
-         const std::vector<Eigen::Vector2d>& places)
+         const PlaceOfVertex& place)
 {
-  const auto place = [&](std::int32_t vertex) {
-    return places[static_cast<std::size_t>(vertex)];
-  };
-  const Eigen::Vector2d back = place(edge.from) - place(edge.to);
-  RimEdge* best = nullptr;
-  double minimum = 0;
   auto candidate = std::lower_bound(
       rim.begin(), rim.end(), edge.to, [](const RimEdge& e, std::int32_t vertex) {
         return e.from < vertex;
       });
+  if (candidate == rim.end() || candidate->from != edge.to)
+    return nullptr;
+  const auto after = candidate + 1;
+  if (after == rim.end() || after->from != edge.to)
+    return candidate->is_taken && &*candidate != &first ? nullptr : &*candidate;
+  const Eigen::Vector2d back = place(edge.from) - place(edge.to);
+  RimEdge* best = nullptr;
+  double minimum = 0;
   for (; candidate != rim.end() && candidate->from == edge.to; ++candidate) {
     if (candidate->is_taken && &*candidate != &first)
       continue;
@@ -67,12 +69,14 @@ std::vector<std::vector<std::int32_t>>
 faceLoops(const TriangleMesh::Triangles& triangles,
           const std::vector<Eigen::Vector2d>& places)
 {
-  return edgeLoops(rimEdges(triangles), places);
+  return edgeLoops(rimEdges(triangles), [&](std::int32_t vertex) {
+    return places[static_cast<std::size_t>(vertex)];
+  });
 }
 
 std::vector<std::vector<std::int32_t>>
 edgeLoops(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
-          const std::vector<Eigen::Vector2d>& places)
+          const PlaceOfVertex& place)
 {
   std::vector<RimEdge> rim;
   for (const auto& [from, to] : edges)
@@ -81,7 +85,7 @@ edgeLoops(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
   for (RimEdge& first : rim) {
     std::vector<std::int32_t> loop;
     for (RimEdge* edge = &first; edge && !edge->is_taken;
-         edge = nextEdge(rim, first, *edge, places)) {
+         edge = nextEdge(rim, first, *edge, place)) {
       edge->is_taken = true;
       loop.push_back(edge->from);
     }

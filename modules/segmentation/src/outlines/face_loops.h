@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -18,9 +19,13 @@ std::vector<std::vector<std::int32_t>>
 faceLoops(const TriangleMesh::Triangles& triangles,
           const std::vector<Eigen::Vector2d>& places);
 
-/** Same as \ref faceLoops, for sorted edges that have the surface on their left. */
+/** Position of a vertex in the plane. */
+using PlaceOfVertex = std::function<Eigen::Vector2d(std::int32_t)>;
+
+/** Same as \ref faceLoops, for sorted edges that have the surface on their left.
+ * \param[in] place is asked only where the surface touches itself */
 std::vector<std::vector<std::int32_t>>
 edgeLoops(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
-          const std::vector<Eigen::Vector2d>& places);
+          const PlaceOfVertex& place);
 
 } // namespace pcl::acmap::outlines

@@ -321,7 +321,10 @@ disentangled(const std::vector<Loop>& loops, double distance)
   for (std::size_t l = 0; l < loops.size(); ++l)
     if (!cut.isMet(l))
       sound.push_back(loops[l]);
-  for (const std::vector<std::int32_t>& rim : edgeLoops(cut.rims(), cut.places()))
+  for (const std::vector<std::int32_t>& rim :
+       edgeLoops(cut.rims(), [&](std::int32_t vertex) {
+         return cut.places()[static_cast<std::size_t>(vertex)];
+       }))
     appendSimple(rim, cut.places(), sound);
   return sound;
 }

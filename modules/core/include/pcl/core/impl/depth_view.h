@@ -73,6 +73,13 @@ public:
     return {(column - camera_.cx) / camera_.fx, (row - camera_.cy) / camera_.fy, 1.0};
   }
 
+  /** \brief The ray of a pixel. */
+  Eigen::Vector3d
+  rayOf(std::size_t column, std::size_t row) const
+  {
+    return {x_of_column_[column], y_of_row_[row], 1.0};
+  }
+
   /** \brief Focal lengths in pixels; negative for an axis in the opposite direction. */
   Eigen::Vector2d
   focal() const
@@ -88,6 +95,7 @@ private:
   std::size_t measured_;
   std::vector<float> inverse_depths_;
   Pinhole camera_;
+  std::vector<double> x_of_column_, y_of_row_; ///< of the rays
 };
 
 /** \brief Image positions of the points of a view. */
