@@ -221,6 +221,8 @@ TEST(InverseDepthNoise, isMeasuredByDepthOnlyWhereItIsAPixelsOwn)
   camera.independent = camera.correlated = 0; // only the rounding of floats
   EXPECT_FALSE(noiseOf(DepthRoom(camera), 0).isIndependent());
   EXPECT_FALSE(noiseOf(DepthRoom({}), DepthRoom::Camera().step).isIndependent());
+  camera.independent = 0.1; // no surface
+  EXPECT_FALSE(noiseOf(DepthRoom(camera), 0).isIndependent());
 }
 
 TEST(InverseDepthNoise, ofPixelsMayBeUniformInMetres)

@@ -103,7 +103,8 @@ noiseByDepth(const TileMoments& fine, const TileMoments& coarse)
   constexpr double most_shared =
       1.06; // variance of large tiles over that of small ones
   constexpr double of_quartile = 0.94; // lower quartile of the rms of 61 residuals
-  constexpr double rounding = 1e-6;    // of floats, with a margin
+  // of the depth: below is the rounding of floats, above there is no surface
+  constexpr double rounding = 1e-6, most_noise = 0.05;
   std::vector<TileNoise> noises = noiseOfTiles(fine, coarse);
   const std::size_t depths = std::min(noises.size() / tiles_a_depth, most_depths);
   std::vector<AtDepth> by_depth;
@@ -127,7 +128,11 @@ noiseByDepth(const TileMoments& fine, const TileMoments& coarse)
   if (by_depth.empty() || !(medianOf(ratios) < most_shared))
     return {};
   lowerToSensors(by_depth);
-  return by_depth;
+  const bool is_surface =
+      std::all_of(by_depth.begin(), by_depth.end(), [](const AtDepth& at) {
+        return at.sigma < most_noise * at.inverse_depth;
+      });
+  return is_surface ? by_depth : std::vector<AtDepth>();
 }
 
 } // namespace
