@@ -138,7 +138,7 @@ TEST(DepthPlanes, stopWhenTold)
   ASSERT_TRUE(view);
   EXPECT_THROW(
       findDepthPlanes(*view,
-                      {{0.0029, 1e-3, 1e-3}, 0},
+                      {{0.0029, 1e-3, 1e-3, {}}, 0},
                       Progress([](double, const std::string&) { return false; })),
       CancelledException);
 }
