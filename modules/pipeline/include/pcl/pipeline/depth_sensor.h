@@ -16,7 +16,9 @@ namespace pcl {
  *
  * \ingroup pipeline */
 enum class DepthSensor {
-  Automatic, ///< in the picture if the depth is quantised
+  /** \brief In the picture if the depth is quantised, and for \ref PlaneMapping also if
+   * the noise of an organized view is independent between its pixels. */
+  Automatic,
   Quantised, ///< structured light, such as a Kinect: in the picture
   Stereo,    ///< in the picture
   TimeOfFlight,
