@@ -147,7 +147,7 @@ Tool::addSensor(DepthSensor& sensor)
       "What measured an organized cloud: quantised (structured light, as a Kinect) and "
       "stereo have noise that is even in inverse depth, and are worked on in their "
       "picture; tof and laser in space; auto: quantised where the depths have such "
-      "steps");
+      "steps, stereo where pixels err independently");
 }
 
 void

@@ -96,6 +96,17 @@ TEST_F(SimulatedSession, HoldsTheTruth)
   EXPECT_EQ(truth["planes"].size(), 7u);
 }
 
+TEST_F(SimulatedSession, HasTheLinesAndTheApertureThatAreAsked)
+{
+  film({"--patterns", "1", "--lines", "30", "--aperture", "0"}).succeeded();
+  const auto truth = jsonOfFile(inSession("truth.json"));
+  EXPECT_EQ(truth["lines"], 30);
+  EXPECT_EQ(truth["light"]["aperture"], 0);
+  const GrayImage16 visible = loadGrayImage16(inSession("visible_0000.png"));
+  EXPECT_EQ(visible.values[24 * 64 + 42], 3) << "of the cameras, not of the projector";
+  expectFails(film({"--lines", "0"}), 2, "lines");
+}
+
 /** The number of measurable points in the session's files is that of its planes. */
 TEST_F(SimulatedSession, CountsWhatCanBeMeasuredOfEachPlane)
 {

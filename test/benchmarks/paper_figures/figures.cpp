@@ -49,6 +49,7 @@ struct FilmedSession {
   std::string scene;
   std::size_t observations = 0;
   std::size_t patterns = 0; ///< per observation
+  std::size_t lines = 0;    ///< of a pattern
   Trajectory trajectory;    ///< the true one
 
   /** Walls and all other upright rectangles from above, in the frame of the true
@@ -140,6 +141,7 @@ loadFilmedSession(const std::string& folder)
   session.scene = truth.at("scene").text();
   session.observations = truth.at("observations").count(1, maximum);
   session.patterns = truth.at("patterns").count(1, maximum);
+  session.lines = truth.at("lines").count(1, maximum);
   for (const YamlNode& plane : truth.at("planes").list(1, maximum)) {
     constexpr double level = 0.7; // cosine
     const auto& coefficients = plane.at("coefficients").list(4, 4);
@@ -261,20 +263,19 @@ tableOf(const FilmedSession& session,
   const std::size_t ratio =
       bytes_of_a_point * count.points / std::max<std::size_t>(map_bytes, 1);
   const RandomLinePattern pattern;
-  const auto lines = static_cast<std::size_t>(pattern.getNumberOfLines());
   const struct {
     const char *what, *paper;
     std::string here;
   } rows[] = {
       {"observations", "106", grouped(observations)},
       {"patterns an observation", "10", grouped(session.patterns)},
-      {"lines a pattern", "200", grouped(lines)},
+      {"lines a pattern", "200", grouped(session.lines)},
       {"pattern, px", "1024 x 768", sizeText(pattern.getWidth(), pattern.getHeight())},
       {"image, px", "640 x 480", sizeText(count)},
       {"points an observation", "138,653", grouped(count.points / observations)},
       {"points in all", "14,697,233", grouped(count.points)},
       {"shots under patterns, and what a camera of 14 a second takes for them",
-       "1,060 in 75.7 s",
+       "not told",
        grouped(shots) + " in " + fixed(static_cast<double>(shots) / camera_rate, 1) +
            " s"},
       {"planes", "not told", grouped(mapped.map.planes.size())},
