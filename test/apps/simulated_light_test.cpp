@@ -124,8 +124,8 @@ TEST_F(SimulatedLightOptions, TruthTellsWhatWasUsed)
   auto truth = jsonOfFile(session_ + "/truth.json");
   EXPECT_EQ(truth["light"],
             nlohmann::json(
-                R"({"ambient": 0.25, "projector_power": 0.75, "exposure": 1.5,
-              "blur": 0.375, "vignetting": false})"_json));
+                R"({"ambient": 0.25, "projector_power": 0.75, "aperture": 640,
+              "exposure": 1.5, "blur": 0.375, "vignetting": false})"_json));
   EXPECT_EQ(truth["noise"], R"({"read": 2, "shot": 0.125})"_json);
   shots({"--vignetting"});
   truth = jsonOfFile(session_ + "/truth.json");
