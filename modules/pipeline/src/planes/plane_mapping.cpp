@@ -212,15 +212,10 @@ public:
     result.planes = std::move(clusters.patches);
     addRemarks(*report_.depth_planes);
     finish("planes");
-    PointLabels& labels = clusters.labels;
+    const PointLabels& labels = clusters.labels;
     const bool needs_mesh =
         mapping_.getComputeCylinders() || (compute_mesh_ && !result.planes.empty());
-    if (picture.order)
-      result.labels = picture.order->labelsOfPoints(labels);
-    else if (needs_mesh)
-      result.labels = labels;
-    else
-      result.labels = std::move(labels);
+    result.labels = picture.order ? picture.order->labelsOfPoints(labels) : labels;
     result.finite_points =
         report_.depth_planes->points - report_.depth_planes->invalid_points;
     if (!needs_mesh)

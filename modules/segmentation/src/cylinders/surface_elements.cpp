@@ -34,7 +34,7 @@ quadricOf(const LargeVector<Eigen::Vector3d>& points,
   using Terms = Eigen::Matrix<double, 6, 1>;
   using Matrix = Eigen::Matrix<double, 6, 6>;
   Quadric quadric;
-  const Eigen::Vector3d middle = points[static_cast<std::size_t>(chosen[0])];
+  const Eigen::Vector3d& middle = points[static_cast<std::size_t>(chosen[0])];
   Moments moments;
   for (std::size_t i = 0; i < size; ++i) {
     const Eigen::Vector3d from = points[static_cast<std::size_t>(chosen[i])] - middle;
