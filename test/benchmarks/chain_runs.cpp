@@ -2,12 +2,11 @@
 
 #include "bench.h"
 #include "json_file.h"
+#include "processes.h"
 #include "run_tool.h"
 
 #include <pcl/core/map_file.h>
 #include <pcl/core/trajectory.h>
-
-#include <sys/resource.h>
 
 #include <filesystem>
 #include <iomanip>
@@ -15,18 +14,6 @@
 namespace pcl::acmap::bench {
 
 namespace {
-
-/** CPU seconds of all child processes that have ended. */
-double
-childSeconds()
-{
-  rusage usage{};
-  ::getrusage(RUSAGE_CHILDREN, &usage);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 std::string
 observationIn(const std::string& folder, std::size_t number)

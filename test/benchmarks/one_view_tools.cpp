@@ -1,5 +1,6 @@
 #include "bench_data.h"
 #include "one_view.h"
+#include "processes.h"
 #include "run_tool.h"
 #include "temporary_folder.h"
 
@@ -7,26 +8,12 @@
 #include <pcl/simulation/simulated_observation.h>
 #include <pcl/simulation/standard_scenes.h>
 
-#include <sys/resource.h>
-
 #include <filesystem>
 
 namespace pcl::acmap::bench {
 namespace {
 
 constexpr std::size_t rounds = 6;
-
-/** CPU seconds of all child processes that have ended. */
-double
-childSeconds()
-{
-  rusage usage{};
-  ::getrusage(RUSAGE_CHILDREN, &usage);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 /** CPU seconds of a program. */
 double

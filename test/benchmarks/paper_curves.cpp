@@ -60,6 +60,17 @@ void
 nothing(CompactMapping& /*mapping*/)
 {}
 
+/** \brief What a map is worth, if there is one. */
+CurvePoint
+pointOf(const PaperWayRun& run, const SessionTruth& truth)
+{
+  CurvePoint point;
+  point.failure = run.failure;
+  if (run.failure.empty())
+    point.scores = scoresOf(run, truth);
+  return point;
+}
+
 /** \brief The map of a film, compared with its truth.
  * \param[in] has_poses the true poses are given */
 CurvePoint
@@ -79,11 +90,7 @@ mapFilm(const std::string& session,
                                       false,
                                       max_raw_points,
                                       has_poses);
-  CurvePoint point;
-  point.failure = run.failure;
-  if (run.failure.empty())
-    point.scores = scoresOf(run, loadSessionTruth(session));
-  return point;
+  return pointOf(run, loadSessionTruth(session));
 }
 
 void
@@ -321,11 +328,7 @@ printMu(const std::string& name, const std::string& scene)
                       false,
                       max_raw_points,
                       true);
-      CurvePoint point;
-      point.failure = run.failure;
-      if (run.failure.empty())
-        point.scores = scoresOf(run, truth);
-      add(series, mu, point);
+      add(series, mu, pointOf(run, truth));
     }
   draw(name, "mu", false, all);
 }

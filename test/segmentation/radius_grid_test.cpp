@@ -1,6 +1,5 @@
 #include "planes/radius_grid.h"
-
-#include <pcl/core/random.h>
+#include "random_points.h"
 
 #include <gtest/gtest.h>
 
@@ -11,18 +10,6 @@ namespace pcl::acmap::test {
 namespace {
 
 using Points = LargeVector<Eigen::Vector3d>;
-
-Points
-makePoints(std::size_t size, double extent, const Eigen::Vector3d& middle)
-{
-  Random random(5);
-  Points points;
-  for (std::size_t i = 0; i < size; ++i) {
-    const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
-    points.push_back(middle + extent * Eigen::Vector3d(x, y, random.uniform(-1, 1)));
-  }
-  return points;
-}
 
 std::vector<std::int32_t>
 nearInGrid(const planes::RadiusGrid& grid, const Eigen::Vector3d& place)
@@ -51,8 +38,8 @@ compareWithBruteForce(const Points& points, double radius)
 TEST(RadiusGrid, findsAllThatAreNearer)
 {
   for (const double radius : {0.05, 0.3, 1.0, 10.0})
-    compareWithBruteForce(makePoints(600, 1, Eigen::Vector3d::Zero()), radius);
-  compareWithBruteForce(makePoints(600, 1, {-70, 30, 1e5}), 0.25);
+    compareWithBruteForce(makePoints(600, 1, Eigen::Vector3d::Zero(), 5), radius);
+  compareWithBruteForce(makePoints(600, 1, {-70, 30, 1e5}, 5), 0.25);
 }
 
 /** Points on the borders of the cubes, on both sides of 0. */
@@ -69,7 +56,7 @@ TEST(RadiusGrid, bordersAreNoBorders)
 
 TEST(RadiusGrid, uglyPointsAreInNone)
 {
-  Points points = makePoints(300, 1, Eigen::Vector3d::Zero());
+  Points points = makePoints(300, 1, Eigen::Vector3d::Zero(), 5);
   points[7].x() = std::numeric_limits<double>::quiet_NaN();
   points[70].y() = std::numeric_limits<double>::infinity();
   points[90] = Eigen::Vector3d(1e30, -1e30, 1e300);

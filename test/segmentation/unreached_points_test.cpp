@@ -1,4 +1,5 @@
 #include "planes/unreached_points.h"
+#include "random_points.h"
 
 #include <pcl/core/random.h>
 
@@ -12,18 +13,6 @@ namespace pcl::acmap::test {
 namespace {
 
 using Points = LargeVector<Eigen::Vector3d>;
-
-Points
-makePoints(std::size_t size, double extent, const Eigen::Vector3d& middle)
-{
-  Random random(7);
-  Points points;
-  for (std::size_t i = 0; i < size; ++i) {
-    const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
-    points.push_back(middle + extent * Eigen::Vector3d(x, y, random.uniform(-1, 1)));
-  }
-  return points;
-}
 
 /** Reaches, restores and removes at random, beside a search through all points. */
 void
@@ -70,14 +59,14 @@ compareWithBruteForce(const Points& points, double radius)
 TEST(UnreachedPoints, AreFoundOnce)
 {
   for (const double radius : {0.05, 0.3, 1.0, 10.0})
-    compareWithBruteForce(makePoints(600, 1, Eigen::Vector3d::Zero()), radius);
-  compareWithBruteForce(makePoints(600, 1, {-70, 30, 1e5}), 0.25);
+    compareWithBruteForce(makePoints(600, 1, Eigen::Vector3d::Zero(), 7), radius);
+  compareWithBruteForce(makePoints(600, 1, {-70, 30, 1e5}, 7), 0.25);
 }
 
 TEST(UnreachedPoints, UglyOnesAreFoundNeverOrOnce)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  Points points = makePoints(300, 1, Eigen::Vector3d::Zero());
+  Points points = makePoints(300, 1, Eigen::Vector3d::Zero(), 7);
   for (std::size_t i = 0; i < points.size(); i += 7)
     points[i] = points[0];
   for (std::size_t i = 3; i < points.size(); i += 11)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <malloc.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +14,18 @@
 #include <type_traits>
 
 namespace pcl::acmap::bench {
+
+/** \brief CPU seconds of all child processes that have ended. */
+inline double
+childSeconds()
+{
+  rusage usage{};
+  ::getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
 
 /** \brief Writes a result completely; on failure writes nothing, which the parent
  * detects. */

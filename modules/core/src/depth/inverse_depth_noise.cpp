@@ -99,14 +99,13 @@ lowerToSensors(std::vector<AtDepth>& noise)
 std::vector<AtDepth>
 noiseByDepth(const TileMoments& fine, const TileMoments& coarse)
 {
-  constexpr std::size_t tiles_a_depth = 64, most_depths = 16;
-  constexpr double most_shared =
-      1.06; // variance of large tiles over that of small ones
+  constexpr std::size_t tiles_per_depth = 64, max_depths = 16;
+  constexpr double max_shared = 1.06; // variance of large tiles over that of small ones
   constexpr double of_quartile = 0.94; // lower quartile of the rms of 61 residuals
   // of the depth: below is the rounding of floats, above there is no surface
-  constexpr double rounding = 1e-6, most_noise = 0.05;
+  constexpr double rounding = 1e-6, max_noise = 0.05;
   std::vector<TileNoise> noises = noiseOfTiles(fine, coarse);
-  const std::size_t depths = std::min(noises.size() / tiles_a_depth, most_depths);
+  const std::size_t depths = std::min(noises.size() / tiles_per_depth, max_depths);
   std::vector<AtDepth> by_depth;
   std::vector<double> ratios;
   for (std::size_t d = 0; d < depths; ++d) {
@@ -125,12 +124,12 @@ noiseByDepth(const TileMoments& fine, const TileMoments& coarse)
     if (!(by_depth.back().sigma > rounding * inverse_depth))
       return {};
   }
-  if (by_depth.empty() || !(medianOf(ratios) < most_shared))
+  if (by_depth.empty() || !(medianOf(ratios) < max_shared))
     return {};
   lowerToSensors(by_depth);
   const bool is_surface =
       std::all_of(by_depth.begin(), by_depth.end(), [](const AtDepth& at) {
-        return at.sigma < most_noise * at.inverse_depth;
+        return at.sigma < max_noise * at.inverse_depth;
       });
   return is_surface ? by_depth : std::vector<AtDepth>();
 }

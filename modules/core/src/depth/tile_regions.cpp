@@ -20,7 +20,7 @@ class RegionGrower {
 public:
   RegionGrower(const TileMoments& tiles, const PixelDeviation& deviation)
   : tiles_(tiles)
-  , pixels_a_tile_(static_cast<double>(tiles.edge() * tiles.edge()))
+  , pixels_per_tile_(static_cast<double>(tiles.edge() * tiles.edge()))
   , deviation_(deviation)
   , owner_(tiles.size(), nobody)
   {}
@@ -45,7 +45,8 @@ private:
   seedsOf(std::size_t block, std::size_t stride, double flatness) const
   {
     constexpr double filled = 0.9; // other blocks are at a border
-    const double enough = filled * pixels_a_tile_ * static_cast<double>(block * block);
+    const double enough =
+        filled * pixels_per_tile_ * static_cast<double>(block * block);
     std::vector<Seed> seeds;
     std::vector<Moments> of_columns(tiles_.columns());
     for (std::size_t row = 0; row + block <= tiles_.rows(); row += stride) {
@@ -112,7 +113,7 @@ private:
     // maximum deviation of tiles, of real walls where pixels share noise
     constexpr double band = 1.8, shared_band = 2.4;
     const Moments& sum = tiles_[tile];
-    return sum.count >= fewest_share * pixels_a_tile_ &&
+    return sum.count >= fewest_share * pixels_per_tile_ &&
            residualOf(sum, plane).rms <
                (deviation_.isIndependent() ? band : shared_band) *
                    deviation_.on(plane, sum);
@@ -208,7 +209,7 @@ private:
   }
 
   const TileMoments& tiles_;
-  double pixels_a_tile_;
+  double pixels_per_tile_;
   const PixelDeviation& deviation_;
   std::vector<std::int32_t> owner_;
   std::vector<TileRegion> regions_;
@@ -225,9 +226,9 @@ PixelDeviation::PixelDeviation(const DepthView& view,
     return;
   constexpr std::size_t cells = 256;
   const std::vector<NoiseScale::InverseDepth::AtDepth>& known = noise.by_depth;
-  cells_a_unit_ = cells / known.back().inverse_depth;
+  cells_per_unit_ = cells / known.back().inverse_depth;
   for (std::size_t cell = 0, next = 0; cell < cells; ++cell) {
-    const double place = (static_cast<double>(cell) + 0.5) / cells_a_unit_;
+    const double place = (static_cast<double>(cell) + 0.5) / cells_per_unit_;
     while (next < known.size() && known[next].inverse_depth < place)
       ++next;
     if (next == 0 || next == known.size()) {

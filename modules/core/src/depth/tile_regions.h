@@ -54,7 +54,7 @@ private:
   double
   at(double inverse_depth) const
   {
-    const double cell = inverse_depth * cells_a_unit_;
+    const double cell = inverse_depth * cells_per_unit_;
     const double last = static_cast<double>(by_depth_.size() - 1);
     return by_depth_[static_cast<std::size_t>(std::clamp(cell, 0.0, last))];
   }
@@ -72,7 +72,7 @@ private:
   Eigen::Vector2d focal_;
   double sigma_;                 ///< on a frontal plane, 1/m
   std::vector<double> by_depth_; ///< in even cells of inverse depth from 0; or empty
-  double cells_a_unit_ = 0;      ///< metres
+  double cells_per_unit_ = 0;    ///< metres
 };
 
 /** Standard deviation of the tilt of the plane in radians. Noise that is not independent
