@@ -11,6 +11,8 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
+constexpr std::size_t middle = 40; ///< of nine by nine pixels
+
 /** One row of pixels; NaN: not matched, for the given reason. */
 MatchedDisparity
 rowOf(const std::vector<float>& disparities,
@@ -137,6 +139,54 @@ TEST(FusedShots, ShotsThatDisagreeAreToldButByTheMedian)
              0,
              DisparityOutcome::Inconsistent);
   EXPECT_EQ(fuseShots(shots, ShotStatistic::Median, 3).disparity.values[0], 19);
+}
+
+/** Nine by nine pixels of disparity 5; the one in the middle has these of its own. */
+std::vector<MatchedDisparity>
+shotsAround(const std::vector<float>& own)
+{
+  constexpr int side = 9;
+  std::vector<MatchedDisparity> shots;
+  for (const float disparity : own) {
+    std::vector<float> values(side * side, 5.0f);
+    values[middle] = disparity;
+    shots.push_back(rowOf(values));
+    shots.back().disparity.width = shots.back().disparity.height = side;
+  }
+  return shots;
+}
+
+TEST(FusedShots, FewShotsCountWhereThoseAroundConfirmThem)
+{
+  const auto shots = shotsAround({5.2f, nan, 5.4f, nan, nan});
+  const MatchedDisparity fused = fuseShots(shots, ShotStatistic::ConsistentMean, 3);
+  EXPECT_NEAR(fused.disparity.values[middle], 5.3f, 1e-6);
+  EXPECT_EQ(fused.support[middle], 2);
+  EXPECT_GT(fused.sigma[middle], 0.05f);
+  expectNone(fuseShots(shots, ShotStatistic::Median, 3),
+             middle,
+             DisparityOutcome::TooFewShots);
+}
+
+TEST(FusedShots, ShotsAroundDecideBetweenThoseThatDisagree)
+{
+  const auto shots = shotsAround({33, 4.9f, 12, 5.1f, 26});
+  const MatchedDisparity fused = fuseShots(shots, ShotStatistic::ConsistentMean, 3);
+  EXPECT_NEAR(fused.disparity.values[middle], 5, 1e-6);
+  EXPECT_EQ(fused.support[middle], 2);
+}
+
+TEST(FusedShots, ShotsAroundConfirmNoOtherSurface)
+{
+  const auto expectNoneOf = [](const std::vector<float>& own) {
+    const DisparityOutcome why = std::isnan(own[4]) ? DisparityOutcome::TooFewShots
+                                                    : DisparityOutcome::Inconsistent;
+    expectNone(
+        fuseShots(shotsAround(own), ShotStatistic::ConsistentMean, 3), middle, why);
+  };
+  expectNoneOf({5, nan, nan, nan, nan}); // one alone
+  expectNoneOf({8, 8, nan, nan, nan});
+  expectNoneOf({5, 12, 19, 26, 33});
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "fused_shots.h"
 
+#include "confirmed_shots.h"
 #include "shot_statistics.h"
 
 #include <pcl/core/impl/parallel.h>
@@ -99,6 +100,13 @@ fuseShots(const std::vector<MatchedDisparity>& shots,
     for (std::size_t i = begin; i < end; ++i)
       pixels.fuse(i, fused);
   });
+  if (statistic == ShotStatistic::ConsistentMean)
+    parallelForChunks(fused.outcome.size(), [&](std::size_t begin, std::size_t end) {
+      ConfirmedShots confirmed(shots, min_support);
+      for (std::size_t i = begin; i < end; ++i)
+        if (fused.outcome[i] != DisparityOutcome::Matched)
+          confirmed.fuse(i, fused);
+    });
   return fused;
 }
 

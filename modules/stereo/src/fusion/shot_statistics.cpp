@@ -12,7 +12,6 @@ namespace {
 constexpr float normal_deviations = 1.4826f; // per median absolute deviation
 constexpr float max_deviations = 3.0f;
 constexpr float min_limit = 1.0f;         // px
-constexpr float min_agreement = 0.6f;     // share of the shots, see isAgreed
 constexpr float median_variance = 1.571f; // relative to that of a mean
 
 // Determined by simulation, see doc/stereo/disparity_fusion.md.
@@ -94,7 +93,8 @@ isAgreed(const ShotDisparity* begin, const ShotDisparity* end, float disparity)
   const auto agreed = std::count_if(begin, end, [=](const ShotDisparity& shot) {
     return std::abs(shot.disparity - disparity) <= min_limit;
   });
-  return static_cast<float>(agreed) >= min_agreement * static_cast<float>(end - begin);
+  return isMajority(static_cast<std::size_t>(agreed),
+                    static_cast<std::size_t>(end - begin));
 }
 
 } // namespace
@@ -149,6 +149,13 @@ consistentMeanOfShots(const ShotDisparity* begin, const ShotDisparity* end)
           fusedSigma({shots, shots, shots / weights, misfit}),
           support,
           isAgreed(begin, end, mean) && tested <= chiSquareLimit(support - 1U)};
+}
+
+bool
+isMajority(std::size_t agreed, std::size_t all)
+{
+  constexpr float min_share = 0.6f;
+  return static_cast<float>(agreed) >= min_share * static_cast<float>(all);
 }
 
 double

@@ -37,6 +37,10 @@ medianOfShots(const ShotDisparity* begin, const ShotDisparity* end);
 FusedDisparity
 consistentMeanOfShots(const ShotDisparity* begin, const ShotDisparity* end);
 
+/** \brief Returns true if so many of all disparities are taken for the true one: 60 %. */
+bool
+isMajority(std::size_t agreed, std::size_t all);
+
 /** \brief The value that a chi-square variable exceeds with a probability of 1 % (the
  * approximation of Wilson and Hilferty, accurate to 1 %); infinite for 0 degrees of
  * freedom. */

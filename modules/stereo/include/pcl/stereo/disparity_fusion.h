@@ -51,7 +51,9 @@ visitFields(const DisparityFusionReport& report, Visitor&& visit)
  * - Statistical: each shot is matched separately; a pixel gets the mean, weighted by
  *   inverse variances, of the disparities that are within three robust standard
  *   deviations of the median (at least 1 px). A pixel that fails a chi-square test is
- *   inconsistent. This is the future work (i) of the paper.
+ *   inconsistent. Where too few shots of a pixel are matched, or they contradict each
+ *   other, at least two of them count if most disparities of the pixels around confirm
+ *   them. This is the future work (i) of the paper.
  * - SpaceTime: all shots are matched at once, see \ref TrinocularMatching. This is the
  *   default, because it is the most accurate and the fastest method.
  *
@@ -103,7 +105,9 @@ public:
   getMethod() const;
 
   /** \brief Minimum number of shots for a disparity (default 3, or the number of shots
-   * if there are fewer); used by Median and Statistical.
+   * if there are fewer); used by Median and Statistical. Two are enough for Statistical
+   * where the pixels around have three times this number of disparities that confirm
+   * them.
    * \throws BadArgumentException unless within [1, 256] */
   void
   setMinimumSupport(int shots);
