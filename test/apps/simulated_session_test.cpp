@@ -71,6 +71,23 @@ TEST_F(SimulatedSession, HoldsAllShots)
   }
 }
 
+/** Section II-A: N = 10, L = 200, 14 frames a second. */
+TEST_F(SimulatedSession, IsAsThePaperTakesItByDefault)
+{
+  film().succeeded();
+  const auto frames = framesOf(session_);
+  constexpr std::size_t shots = 11; // one without a pattern
+  ASSERT_EQ(frames.size(), 2 * shots);
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    EXPECT_EQ(frames[i]->pattern, static_cast<int>(i % shots) - 1);
+  for (std::size_t i = 1; i < shots; ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_NE(frames[i]->images[0].values, frames[k]->images[0].values);
+  EXPECT_NEAR(
+      loadTrajectory(inSession("trajectory.txt")).stamps[1], shots / 14.0, 1e-9);
+  EXPECT_EQ(jsonOfFile(inSession("truth.json"))["lines"], 200);
+}
+
 TEST_F(SimulatedSession, HoldsTheTruth)
 {
   film({"--patterns", "1", "--seed", "4"}).succeeded();
