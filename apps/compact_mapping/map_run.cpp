@@ -387,7 +387,7 @@ MapRun::tellPassing(const std::string& stage, const ChainState& state)
   if (stage == "texture") {
     tellTexture(report.texture, map_log_);
     tellQuality(report, map_log_);
-    if (state.work)
+    if (report.ranks > 1)
       tellRanks(report, map_log_);
   }
 }

@@ -34,13 +34,9 @@ protected:
            const std::vector<std::string>& options = {},
            const std::string& other = {}) const
   {
-    std::vector<std::string> tool = joined({ACMAP_COMPACT_MAPPING,
-                                            input_,
-                                            "-o",
-                                            output,
-                                            "--no-pictures",
-                                            "--no-rectification"},
-                                           options);
+    std::vector<std::string> tool =
+        joined({ACMAP_COMPACT_MAPPING, input_, "-o", output, "--no-pictures"},
+               joined(way_, options));
     std::vector<std::string> arguments = {"--oversubscribe"};
     const auto add = [&](int processes, const std::vector<std::string>& command) {
       arguments.insert(arguments.end(), {"-n", std::to_string(processes)});
@@ -121,6 +117,8 @@ protected:
 
   std::string input_;
   std::string out_ = folder_.path("out");
+
+  std::vector<std::string> way_ = {"--no-rectification"};
 };
 
 TEST_F(RanksTest, GiveTheSameBytes)
@@ -135,6 +133,17 @@ TEST_F(RanksTest, KeepTheirMemoryLimitsWithTheSameBytes)
 {
   const auto alone = mapBy(1);
   EXPECT_THAT(differing(mapBy(2, {"--memory-limit", "1GB"}), alone), IsEmpty());
+}
+
+TEST_F(RanksTest, GiveTheSameBytesOfOneCloud)
+{
+  mapBy(1);
+  input_ = folder_.path("by1/map.pcd");
+  fs::rename(input_, folder_.path("cloud.pcd"));
+  input_ = folder_.path("cloud.pcd");
+  way_.clear();
+  const auto alone = mapBy(1);
+  EXPECT_THAT(differing(mapBy(3), alone), IsEmpty());
 }
 
 TEST_F(RanksTest, ABrokenObservationOfARankIsNamedInOneLine)

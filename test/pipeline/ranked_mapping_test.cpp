@@ -6,10 +6,13 @@
 #include <pcl/pipeline/compact_mapping.h>
 #include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/plane_mapping.h>
 #include <pcl/pipeline/ranked_work.h>
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -147,7 +150,7 @@ TEST_F(RankedMapping, EndsWithAnErrorOfRank0)
   EXPECT_THROW(mapBy(3, cancel), CancelledException);
 }
 
-TEST_F(RankedMapping, CloudsInMemoryStayWithRank0)
+TEST_F(RankedMapping, PointsOfCloudsInMemoryAreShared)
 {
   const CompactMap alone = mapBy(1);
   const auto hold = [&](CompactMapping& mapping) {
@@ -155,8 +158,73 @@ TEST_F(RankedMapping, CloudsInMemoryStayWithRank0)
         ObservationSequence({clouds_.begin(), clouds_.end()}, trajectory_), true);
   };
   expectSame(mapBy(2, hold), alone);
-  EXPECT_EQ(report_.ranks, 1U);
-  EXPECT_THAT(report_.remarks, testing::Contains(HasSubstr("rank 0 works alone")));
+  EXPECT_EQ(report_.ranks, 2U);
+  EXPECT_THAT(report_.remarks,
+              testing::Contains(HasSubstr("rank 0 reads and paints alone")));
+}
+
+/** Planes of a cloud, found by several ranks that are threads. */
+MappedPlanes
+planesBy(std::size_t ranks, const MergedCloud& cloud)
+{
+  const auto mailboxes = std::make_shared<Mailboxes>();
+  std::vector<std::thread> others;
+  for (std::size_t rank = 1; rank < ranks; ++rank)
+    others.emplace_back([=] {
+      ThreadRanks served(rank, ranks, mailboxes);
+      serveRanks(served);
+    });
+  const auto leading = std::make_shared<ThreadRanks>(0, ranks, mailboxes);
+  PlaneMapping planes;
+  planes.setInputCloud(cloud.cloud);
+  planes.setViewpoints(cloud.viewpoints);
+  planes.setRanks(leading);
+  MappedPlanes found;
+  planes.compute(found);
+  endRanks(*leading);
+  for (std::thread& other : others)
+    other.join();
+  EXPECT_EQ(leading->getNumberOfMessages() > ranks, ranks > 1);
+  EXPECT_TRUE(mailboxes->isEmpty());
+  return found;
+}
+
+void
+expectSamePlanes(const MappedPlanes& a, const MappedPlanes& b)
+{
+  ASSERT_EQ(a.planes.size(), b.planes.size());
+  for (std::size_t i = 0; i < a.planes.size(); ++i) {
+    EXPECT_EQ(a.planes[i].coefficients, b.planes[i].coefficients);
+    EXPECT_EQ(a.planes[i].covariance, b.planes[i].covariance);
+  }
+  EXPECT_EQ(a.labels, b.labels);
+  EXPECT_EQ(a.finite_points, b.finite_points);
+}
+
+TEST_F(RankedMapping, SharesThePointsOfOneCloud)
+{
+  MergedCloud merged;
+  ObservationMerging().compute(
+      ObservationSequence({clouds_.begin(), clouds_.end()}, trajectory_), merged);
+  PCLPointCloud2 cloud = merged.cloud.copy();
+  // some are not finite, some are at the origin
+  const Eigen::Vector3f nowhere = Eigen::Vector3f::Constant(std::nanf(""));
+  const Eigen::Vector3f zero = Eigen::Vector3f::Zero();
+  for (std::size_t i = 0; i < merged.cloud.size(); i += 50)
+    std::memcpy(&cloud.data[i * cloud.point_step],
+                (i % 100 == 0 ? nowhere : zero).data(),
+                sizeof zero);
+  merged.cloud = CloudRows(std::make_shared<PCLPointCloud2>(cloud));
+  const MappedPlanes alone = planesBy(1, merged);
+  EXPECT_GT(alone.planes.size(), 3U);
+  for (const std::size_t ranks : {2, 5})
+    expectSamePlanes(planesBy(ranks, merged), alone);
+  for (PCLPointField& field : cloud.fields)
+    if (field.name == "view")
+      field.name = "other";
+  merged.cloud = CloudRows(std::make_shared<PCLPointCloud2>(std::move(cloud)));
+  merged.viewpoints.clear();
+  expectSamePlanes(planesBy(3, merged), planesBy(1, merged));
 }
 
 TEST(ByteParcel, TellsThatAMessageEndsEarly)

@@ -355,6 +355,7 @@ runPlanes(ChainState& state,
   if (run.cost)
     planes.setCostCallback(run.cost);
   planes.setProgressCallback(run.progress);
+  planes.setRanks(run.ranks);
   planes.compute(state.planes);
   if (state.observations && settings.mode != MappingMode::Paper)
     addPoseErrors(state.cloud.rows,
@@ -457,7 +458,7 @@ runTexturing(ChainState& state,
   setRooms(plan, map);
   nameSurfaces(plan, map);
   judgeMap(plan, run, state);
-  if (state.work) {
+  if (run.ranks && run.ranks->getNumberOfMessages() > 0) {
     state.report.ranks = run.ranks->size();
     state.report.rank_messages = run.ranks->getNumberOfMessages();
     state.report.rank_bytes = run.ranks->getNumberOfBytes();

@@ -12,6 +12,8 @@ namespace pcl::acmap {
 
 namespace {
 
+constexpr std::size_t row_bytes = 20; ///< of a row with colours
+
 std::vector<FieldWish>
 fieldsOf(bool colored)
 {
@@ -155,6 +157,31 @@ CloudRows
 MapRows::finish()
 {
   return CloudRows(std::move(layout_), std::move(rows_));
+}
+
+void
+putMapRows(const CloudRows& cloud,
+           std::size_t begin,
+           std::size_t end,
+           ByteParcel& parcel)
+{
+  const PointView points = requirePoints(cloud);
+  const PCLPointField* const color = findColor(cloud.layout());
+  const PCLPointField* const view =
+      findField(cloud.layout(), "view", PCLPointField::INT32);
+  std::vector<std::uint8_t> rows((end - begin) * row_bytes);
+  std::uint8_t* to = rows.data();
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::uint8_t* const from = cloud.data() + i * cloud.layout().point_step;
+    const Eigen::Vector3f point = points[i];
+    std::memcpy(to, point.data(), 3 * sizeof(float));
+    if (color)
+      std::memcpy(to + 3 * sizeof(float), from + color->offset, sizeof(std::uint32_t));
+    if (view)
+      std::memcpy(to + 4 * sizeof(float), from + view->offset, sizeof(std::int32_t));
+    to += row_bytes;
+  }
+  parcel.putAll(rows.data(), rows.size());
 }
 
 PCLPointCloud2

@@ -17,6 +17,7 @@
 #include <pcl/core/noise_scale.h>
 #include <pcl/pipeline/picture.h>
 #include <pcl/pipeline/plane_mapping.h>
+#include <pcl/pipeline/ranked_work.h>
 #include <pcl/segmentation/box_fitting.h>
 #include <pcl/segmentation/impl/depth_plane_kernel.h>
 #include <pcl/segmentation/plane_conversions.h>
@@ -768,6 +769,19 @@ PlaneMapping::runSteps(bool compute_mesh, MappedPlanes& result)
         rows.layout().height > 1 ? rowsOfIndices(rows, *kept) : someRows(rows, *kept);
   }
   const PointView points = requirePoints(rows);
+  const std::optional<Picture> picture =
+      input_mesh_.triangles.empty()
+          ? planePictureOf(points, rows.layout().width, getUsedDepthSensor())
+          : std::nullopt;
+  std::optional<RankedWork> work;
+  if (ranks_ && ranks_->size() > 1 && !rows.shares() && !picture &&
+      input_mesh_.triangles.empty() && policy_ != ConsolidationPolicy::Never) {
+    work.emplace(ranks_,
+                 rows,
+                 viewpoints_.empty() ? std::vector{input_->sensor_origin} : viewpoints_,
+                 threads_);
+    rows.setShares(work->shares(work->own()));
+  }
   report.mode = mode_;
   MappedPlanes found;
   PlaneMappingRun run(
@@ -776,8 +790,7 @@ PlaneMapping::runSteps(bool compute_mesh, MappedPlanes& result)
     requireCornersInside(input_mesh_.triangles, points.size());
     found = run.fromMesh(input_mesh_);
   }
-  else if (const std::optional<Picture> picture =
-               planePictureOf(points, rows.layout().width, getUsedDepthSensor()))
+  else if (picture)
     found = run.inPicture(*picture);
   else
     found = run.inSpace(viewpoints_);

@@ -7,16 +7,24 @@
 namespace pcl::acmap {
 
 /** First byte of a message of rank 0. */
-enum class RankRequest : std::uint8_t { Begin, Merge, SumCells, Paint, End };
+enum class RankRequest : std::uint8_t {
+  Begin,
+  Merge,
+  BeginPoints,
+  TakePoints,
+  SumCells,
+  Paint,
+  End
+};
 
 /** First byte of an answer: part of it, its end, or why there is none. */
 enum class RankAnswer : std::uint8_t { Part, End, InputFault, MemoryFault, Fault };
 
-/** \return the first observation of a rank, and that of the next one */
+/** \return the first observation, or point, of a rank, and that of the next one */
 inline std::pair<std::size_t, std::size_t>
-shareOf(std::size_t rank, std::size_t ranks, std::size_t observations)
+shareOf(std::size_t rank, std::size_t ranks, std::size_t all)
 {
-  return {rank * observations / ranks, (rank + 1) * observations / ranks};
+  return {rank * all / ranks, (rank + 1) * all / ranks};
 }
 
 } // namespace pcl::acmap

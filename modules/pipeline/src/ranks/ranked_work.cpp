@@ -1,6 +1,7 @@
 #include "ranks/rank_messages.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/ranked_work.h>
 #include <pcl/texture/impl/texturing_kernel.h>
 
@@ -54,7 +55,7 @@ RankedWork::RankedWork(std::shared_ptr<Ranks> ranks,
                        const std::string& scratch_folder,
                        std::size_t resident)
 : ranks_(std::move(ranks))
-, observations_(sequence.size())
+, all_(sequence.size())
 , points_(ranks_->size(), 0)
 , waiting_(ranks_->size(), 0)
 {
@@ -63,9 +64,36 @@ RankedWork::RankedWork(std::shared_ptr<Ranks> ranks,
     parcel.put(threads);
     parcel.putText(scratch_folder);
     parcel.put(resident);
-    const auto [begin, end] = acmap::shareOf(rank, ranks_->size(), observations_);
+    const auto [begin, end] = acmap::shareOf(rank, ranks_->size(), all_);
     sequence.put(begin, end, parcel);
     ranks_->send(rank, parcel.bytes());
+  }
+}
+
+RankedWork::RankedWork(std::shared_ptr<Ranks> ranks,
+                       const CloudRows& rows,
+                       const std::vector<Eigen::Vector3f>& viewpoints,
+                       unsigned threads)
+: ranks_(std::move(ranks))
+, all_(rows.size())
+, points_(ranks_->size(), 0)
+, waiting_(ranks_->size(), 0)
+{
+  constexpr std::size_t points_of_part = std::size_t{1} << 18;
+  for (std::size_t rank = 1; rank < ranks_->size(); ++rank) {
+    ByteParcel parcel = parcelOf(RankRequest::BeginPoints);
+    parcel.put(threads);
+    parcel.put(viewpoints.size());
+    for (const Eigen::Vector3f& viewpoint : viewpoints)
+      parcel.putAll(viewpoint.data(), 3);
+    ranks_->send(rank, parcel.bytes());
+    const auto [begin, end] = acmap::shareOf(rank, ranks_->size(), all_);
+    points_[rank] = end - begin;
+    for (std::size_t i = begin; i < end; i += points_of_part) {
+      ByteParcel part = parcelOf(RankRequest::TakePoints);
+      acmap::putMapRows(rows, i, std::min(i + points_of_part, end), part);
+      ranks_->send(rank, part.bytes());
+    }
   }
 }
 
@@ -93,7 +121,7 @@ endRanks(Ranks& ranks)
 std::size_t
 RankedWork::own() const
 {
-  return acmap::shareOf(0, ranks_->size(), observations_).second;
+  return acmap::shareOf(0, ranks_->size(), all_).second;
 }
 
 void
@@ -224,7 +252,7 @@ shareOut(const std::shared_ptr<Ranks>& ranks,
   if (sequence.areFiles())
     return std::make_shared<RankedWork>(
         ranks, sequence, threads, scratch_folder, resident);
-  remarks.emplace_back("rank 0 works alone: the observations are not files");
+  remarks.emplace_back("rank 0 reads and paints alone: the observations are not files");
   return nullptr;
 }
 

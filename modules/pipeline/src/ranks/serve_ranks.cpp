@@ -3,6 +3,7 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/scratch_memory.h>
+#include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/ranked_work.h>
 #include <pcl/texture/impl/texturing_kernel.h>
 
@@ -54,6 +55,10 @@ private:
         return begin(parcel);
       if (!begin_fault_.empty())
         throw acmap::IoFault(begin_fault_);
+      if (request == RankRequest::BeginPoints)
+        return beginPoints(parcel);
+      if (request == RankRequest::TakePoints)
+        return takePoints(parcel);
       if (request == RankRequest::Merge)
         merge(parcel);
       else if (request == RankRequest::SumCells)
@@ -73,12 +78,13 @@ private:
     }
   }
 
-  /** The beginning has no answer: its fault is that of the next request. */
+  /** What begins has no answer: its fault is that of the next request. */
   void
   fail(RankRequest request, const std::string& fault)
   {
     const std::string text = "rank " + std::to_string(ranks_.rank()) + ": " + fault;
-    if (request == RankRequest::Begin)
+    if (request == RankRequest::Begin || request == RankRequest::BeginPoints ||
+        request == RankRequest::TakePoints)
       begin_fault_ = text;
     else
       end(RankAnswer::Fault, begin_fault_.empty() ? text : begin_fault_);
@@ -112,6 +118,26 @@ private:
     sequence_.emplace(ObservationSequence::taken(parcel));
     if (!folder.empty())
       scratch_.emplace(folderOn(folder), resident);
+  }
+
+  void
+  beginPoints(ByteParcel& parcel)
+  {
+    threads_ = parcel.take<unsigned>();
+    viewpoints_.resize(parcel.takeCount<Eigen::Vector3f>());
+    for (Eigen::Vector3f& viewpoint : viewpoints_)
+      parcel.takeAll(viewpoint.data(), 3);
+    taken_.emplace(0, true);
+  }
+
+  void
+  takePoints(ByteParcel& parcel)
+  {
+    if (!begin_fault_.empty())
+      return;
+    std::vector<std::uint8_t> rows(parcel.left());
+    parcel.takeAll(rows.data(), rows.size());
+    taken_->appendRows(rows, 0);
   }
 
   void
@@ -161,6 +187,10 @@ private:
     const auto lattice = parcel.take<VoxelLattice>();
     const auto has_sensors = parcel.take<bool>(), has_colors = parcel.take<bool>();
     const auto first = parcel.take<std::int32_t>();
+    if (taken_) {
+      cloud_ = taken_->finish();
+      taken_.reset();
+    }
     if (cloud_.size() == 0)
       return;
     sendCells(requirePoints(cloud_),
@@ -196,6 +226,7 @@ private:
   std::string begin_fault_;
   std::optional<ScratchMemory> scratch_; // before what is in it
   std::optional<ObservationSequence> sequence_;
+  std::optional<MapRows> taken_; // points of rank 0, until they are summed
   CloudRows cloud_;
   std::vector<Eigen::Vector3f> viewpoints_;
 };

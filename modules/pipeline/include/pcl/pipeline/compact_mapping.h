@@ -141,7 +141,8 @@ public:
   /** \brief Shares reading, sums and painting of \ref compute out over processes, all of which
    * call it (default: none). Rank 0 makes the map, from its observations and with its settings;
    * the others have no other use for their object and get no map. Observations that are not
-   * files stay with rank 0, which is reported. The map has the same bytes. */
+   * files are read, and painted with, by rank 0, which is reported. The map has the same
+   * bytes. */
   void
   setRanks(std::shared_ptr<Ranks> ranks)
   {

@@ -2,6 +2,7 @@
 
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/export.h>
+#include <pcl/core/impl/byte_parcel.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/pipeline/cost_callback.h>
 
@@ -84,6 +85,15 @@ private:
   std::size_t every_ = 1;
   std::size_t seen_ = 0; ///< finite points so far
 };
+
+/** \brief Puts points of any cloud in the layout of MapRows, those that are not finite, too:
+ * black without colours, of observation 0 without a field `view`.
+ * \param[in] begin, end numbers of the points */
+ACMAP_EXPORT void
+putMapRows(const CloudRows& cloud,
+           std::size_t begin,
+           std::size_t end,
+           ByteParcel& parcel);
 
 /** \brief The first row and every n-th after it, as an unorganized cloud. */
 ACMAP_EXPORT PCLPointCloud2

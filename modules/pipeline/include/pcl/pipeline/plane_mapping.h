@@ -14,6 +14,7 @@
 #include <pcl/pipeline/cost_callback.h>
 #include <pcl/pipeline/depth_sensor.h>
 #include <pcl/pipeline/plane_mapping_types.h>
+#include <pcl/pipeline/ranks.h>
 #include <pcl/segmentation/cylinder_hypothesis_clustering.h>
 #include <pcl/segmentation/depth_plane_segmentation.h>
 #include <pcl/segmentation/plane_hypothesis_clustering.h>
@@ -332,6 +333,15 @@ public:
     cost_callback_ = std::move(callback);
   }
 
+  /** \brief Shares the sums of voxels out over processes, whose others call
+   * \ref serveRanks (default: none). Points of \ref RankedWork are shared out already. The
+   * planes have the same bytes. */
+  void
+  setRanks(std::shared_ptr<Ranks> ranks)
+  {
+    ranks_ = std::move(ranks);
+  }
+
   /** \brief Finds the planes of the input cloud.
    * \param[out] result no planes, with the reason in the report, if there are none
    * \throws InitFailedException without a cloud, with an index outside of it, and as the
@@ -382,6 +392,7 @@ private:
   bool compute_boxes_ = false;
   DepthSegmentation depth_segmentation_;
   CostCallback cost_callback_;
+  std::shared_ptr<Ranks> ranks_; ///< null: this process alone
 };
 
 template <typename PointT>

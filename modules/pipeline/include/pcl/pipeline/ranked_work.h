@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/cloud_rows.h>
 #include <pcl/core/export.h>
 #include <pcl/core/impl/byte_parcel.h>
 #include <pcl/core/impl/point_shares.h>
@@ -21,7 +22,8 @@ namespace pcl {
 
 /** \brief The observations of a map, shared out over Ranks. Each rank reads its own,
  * transforms their points, sums their voxels, and paints with them. Rank 0 joins what the others
- * have done, and does all the rest. Sums of voxels are integers, and the samples of a texel
+ * have done, and does all the rest. Of a cloud that rank 0 has read, the others sum the voxels
+ * of a part each. Sums of voxels are integers, and the samples of a texel
  * have one order: the map has the same bytes for any number of ranks.
  *
  * Rank 0 makes one, and the others call \ref serveRanks. \ingroup pipeline */
@@ -40,6 +42,18 @@ public:
              const std::string& scratch_folder,
              std::size_t resident);
 
+  /** \brief Shares points out that only this process has, for the sums of their voxels: see
+   * \ref shares. The other ranks have theirs in memory, 20 bytes a point.
+   * \param[in] ranks of which this process is rank 0
+   * \param[in] rows with finite and other points
+   * \param[in] viewpoints sensors of a field `view`, or of all points; may be empty
+   * \param[in] threads of each rank, 0 for all
+   * \throws what Ranks::send does */
+  RankedWork(std::shared_ptr<Ranks> ranks,
+             const CloudRows& rows,
+             const std::vector<Eigen::Vector3f>& viewpoints,
+             unsigned threads);
+
   /** \brief Waits until the other ranks are ready for other work. */
   ~RankedWork();
 
@@ -48,7 +62,7 @@ public:
   RankedWork&
   operator=(const RankedWork&) = delete;
 
-  /** \brief Number of observations of rank 0, the first ones. */
+  /** \brief Number of observations of rank 0, or of its points, the first ones. */
   std::size_t
   own() const;
 
@@ -100,7 +114,7 @@ private:
   next();
 
   std::shared_ptr<Ranks> ranks_;
-  std::size_t observations_;
+  std::size_t all_;                  ///< observations, or points
   std::size_t current_ = 0;          ///< rank whose messages are next; 0: none
   std::vector<std::size_t> points_;  ///< of each other rank
   std::vector<std::size_t> waiting_; ///< answers that a rank still has to end
@@ -111,7 +125,8 @@ namespace acmap {
 
 /** \brief Shares a sequence out over ranks, unless this process works alone.
  * \param[in] ranks may be null
- * \param[out] remarks one more if the observations are not files, and stay with rank 0
+ * \param[out] remarks one more if the observations are not files, so that rank 0 reads and
+ * paints alone
  * \return null if there is no other rank, or none for these observations
  * \throws what Ranks::send does; other parameters as of RankedWork */
 ACMAP_EXPORT std::shared_ptr<RankedWork>
