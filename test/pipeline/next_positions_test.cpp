@@ -82,6 +82,36 @@ TEST(NextPositions, UncoverLessEachTime)
   EXPECT_LT(all.positions.size(), 20U) << "then nothing is left";
 }
 
+/** Floor and ceiling in turn; more patches than are looked at. */
+TEST(NextPositions, LookAtFloorAndCeilingAlike)
+{
+  constexpr std::size_t patches = 4000; // of each
+  const CompactMap map = makeHalfSeenRoom();
+  const FloorPlan plan = makeFloorPlan(map);
+  UnseenSurfaces unseen;
+  for (std::size_t k = 0; k < patches; ++k)
+    for (const bool is_ceiling : {false, true}) {
+      UnseenPatch patch;
+      patch.center = {2 + 0.05 * static_cast<double>(k % 40),
+                      1 + 0.02 * static_cast<double>(k / 40),
+                      is_ceiling ? 2.5 : 0};
+      patch.normal.z() = is_ceiling ? -1 : 1;
+      patch.area = 0.001;
+      patch.role = is_ceiling ? SurfaceRole::Ceiling : SurfaceRole::Floor;
+      patch.room = 0;
+      unseen.patches.push_back(patch);
+    }
+  NextPositions next;
+  next.setNumberOfPositions(2);
+  next.compute(map, plan, unseen);
+  const std::vector<NextPosition> positions = next.getReport().positions;
+  ASSERT_EQ(positions.size(), 2U);
+  EXPECT_LT(positions[0].direction.z() * positions[1].direction.z(), 0)
+      << "one looks down, one up";
+  EXPECT_NEAR(positions[0].uncovered, 4, 1);
+  EXPECT_NEAR(positions[1].uncovered, 4, 1);
+}
+
 TEST(NextPositions, AreNoneWithoutARoom)
 {
   EXPECT_TRUE(proposalsFor(CompactMap()).positions.empty());

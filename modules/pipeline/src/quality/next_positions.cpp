@@ -221,11 +221,16 @@ private:
 };
 
 /** \brief At most this many patches of about the same total area: of each group of successive ones
- * the middle one stands for all. */
+ * of a role the middle one stands for all. */
 std::vector<UnseenPatch>
-thinned(const std::vector<UnseenPatch>& patches)
+thinned(std::vector<UnseenPatch> patches)
 {
   constexpr std::size_t max_patches = 3000;
+  // floor and ceiling of a place follow each other
+  std::stable_sort(
+      patches.begin(), patches.end(), [](const UnseenPatch& a, const UnseenPatch& b) {
+        return a.role < b.role;
+      });
   const std::size_t every = patches.size() / max_patches + 1;
   std::vector<UnseenPatch> thin;
   for (std::size_t begin = 0; begin < patches.size(); begin += every) {
