@@ -119,7 +119,7 @@ TEST_F(PaperFigures, AllAreDrawnAlikeWithAnyNumberOfThreadsAndAnotherSceneIsTold
   for (const std::string threads : {"1", "2"}) {
     const bool is_other = threads == "2";
     auto all = arguments(session(), map(), folder.path(threads), figures[is_other]);
-    all.insert(all.end(), {"--threads", threads});
+    all.insert(all.end(), {"--threads", threads, "--papers-map", map()});
     const ToolRun run = runTool(ACMAP_PAPER_FIGURES, all).succeeded();
     if (is_other)
       EXPECT_THAT(run.err, HasSubstr("made for scene loop"));
@@ -143,6 +143,10 @@ TEST_F(PaperFigures, AllAreDrawnAlikeWithAnyNumberOfThreadsAndAnotherSceneIsTold
     EXPECT_THAT(page, HasSubstr(row));
   for (const std::string& name : names)
     EXPECT_THAT(page, HasSubstr("(" + name + ")"));
+  for (const std::string name : {"fig8_both.png", "fig9_both.png", "fig10_both.png"}) {
+    EXPECT_EQ(loadRgbImage(folder.path("1/" + name)).width, 300);
+    EXPECT_THAT(page, HasSubstr("(" + name + ")"));
+  }
 }
 
 TEST_F(PaperFigures, SessionsWithoutTruthAreRefused)

@@ -18,6 +18,11 @@ addOptions(Tool& tool, FigureOptions& options)
   app.add_option("map", options.map, "What pcl_compact_mapping made of it")
       ->type_name("MAP_DIR")
       ->required();
+  app.add_option("--papers-map",
+                 options.papers_map,
+                 "What pcl_compact_mapping --paper made of it: Figs. 8 to 10 are also "
+                 "drawn of both maps")
+      ->type_name("MAP_DIR");
   app.add_option("-o,--output", options.output, "Folder for the figures")
       ->type_name("OUT_DIR")
       ->required();

@@ -36,6 +36,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 namespace pcl::acmap {
 
@@ -298,7 +299,7 @@ tableOf(const FilmedSession& session,
 
 /** The text of figures.md: the table, and each figure with its description. */
 std::string
-figurePage(const std::string& table, const FigurePlan& plan)
+figurePage(const std::string& table, const FigurePlan& plan, bool has_both)
 {
   const auto observation = [](const ObservationFigure& figure) {
     return "observation " + std::to_string(figure.observation);
@@ -349,6 +350,13 @@ figurePage(const std::string& table, const FigurePlan& plan)
   for (const auto& [number, caption] : figures)
     page += std::string("\n## Fig. ") + number + "\n\n![Fig. " + number + "](fig" +
             number + ".png)\n\n" + caption + "\n";
+  if (has_both) {
+    page += "\n## Figs. 8 to 10 by the paper's way and by ours\n";
+    for (const char* const number : {"8", "9", "10"})
+      page +=
+          std::string("\n![Fig. ") + number + " of both](fig" + number + "_both.png)\n";
+    page += "\nLeft the map of the paper's way, right ours.\n";
+  }
   return page;
 }
 
@@ -957,29 +965,48 @@ pictureOf(const CompactMap& map, const MapView& view, const OutputFolder& folder
                [&](const std::string& path) { saveMapSnapshot(path, map, view); });
 }
 
-/** Draws fig8.png, fig9.png and fig10.png. */
-void
-drawPlanes(CompactMap map, const FigurePlan& plan, const OutputFolder& folder)
+/** The planes from inside, as Fig. 8, and from outside, as Figs. 9 and 10. */
+std::vector<cv::Mat3b>
+planePictures(CompactMap map, const FigurePlan& plan, const OutputFolder& folder)
 {
   map.exposure = lightening;
   const int height = plan.width * 3 / 4;
   auto view = viewFrom<MapView>(plan.inside, plan.width, height);
   view.place = MapView::Place::Inside;
-  cv::Mat3b inside = pictureOf(map, view, folder);
+  std::vector<cv::Mat3b> pictures = {pictureOf(map, view, folder)};
+  cv::Mat3b& inside = pictures.front();
   view.paint = MapView::Paint::PlaneColors;
   constexpr int part = 3, frame = 4; // 1 / 3 of the figure's side; px
   const cv::Mat3b plain = rowOf({pictureOf(map, view, folder)}, plan.width / part);
   const int left = inside.cols - plain.cols;
   inside(cv::Rect(left - frame, 0, plain.cols + frame, plain.rows + frame)) = white;
   plain.copyTo(inside(cv::Rect({left, 0}, plain.size())));
+  for (const FigureEye& eye : plan.outside)
+    pictures.push_back(
+        pictureOf(map, viewFrom<MapView>(eye, plan.width, height), folder));
+  return pictures;
+}
+
+/** Draws fig8.png, fig9.png and fig10.png.
+ * \param[in] papers also draws fig8_both.png …, with this map on the left */
+void
+drawPlanes(const CompactMap& map,
+           const std::optional<CompactMap>& papers,
+           const FigurePlan& plan,
+           const OutputFolder& folder)
+{
   constexpr int fine_step = 4; // textures are smooth
-  saveFigure(folder, "fig8.png", inside, fine_step);
-  for (std::size_t i = 0; i < plan.outside.size(); ++i) {
-    const auto outside = viewFrom<MapView>(plan.outside[i], plan.width, height);
-    saveFigure(folder,
-               "fig" + std::to_string(9 + i) + ".png",
-               pictureOf(map, outside, folder),
-               1);
+  const auto ours = planePictures(map, plan, folder);
+  const auto literal =
+      papers ? planePictures(*papers, plan, folder) : std::vector<cv::Mat3b>();
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const std::string name = "fig" + std::to_string(8 + i);
+    saveFigure(folder, name + ".png", ours[i], i == 0 ? fine_step : 1);
+    if (papers)
+      saveFigure(folder,
+                 name + "_both.png",
+                 rowOf({literal[i], ours[i]}, plan.width),
+                 fine_step);
   }
 }
 
@@ -1018,10 +1045,16 @@ drawFigures(const FigureOptions& options, const RunControls& controls, StageLog&
   drawMeshes(mapped, plan, controls.threads, folder);
   timer.finish("meshes");
   stopIfInterrupted();
-  drawPlanes(mapped.map, plan, folder);
+  drawPlanes(mapped.map,
+             options.papers_map.empty()
+                 ? std::nullopt
+                 : std::optional(loadCompactMap(options.papers_map)),
+             plan,
+             folder);
   timer.finish("planes");
   const PointCount count = countPoints(mapped.observations);
-  const std::string page = figurePage(tableOf(session, mapped, count), plan);
+  const std::string page =
+      figurePage(tableOf(session, mapped, count), plan, !options.papers_map.empty());
   OutputFile file(folder.path("figures.md"));
   file.write(page.data(), page.size());
   file.commit();

@@ -8,8 +8,9 @@ namespace pcl::acmap {
 
 /** \brief Options of the user. */
 struct FigureOptions {
-  std::string session; ///< that pcl_simulated_rig filmed
-  std::string map;     ///< folder that pcl_compact_mapping made of it
+  std::string session;    ///< that pcl_simulated_rig filmed
+  std::string map;        ///< folder that pcl_compact_mapping made of it
+  std::string papers_map; ///< that it made of it in the paper's way; empty: none
   std::string output;
   std::string figures; ///< what they show; empty: paper_figures.yaml
 };
