@@ -137,7 +137,8 @@ struct Input {
       evidence = *stated;
     else if (!sensor.isKnown()) {
       const pcl::NoiseScale scale = measureNoiseScale(points(), {}, threads);
-      evidence = findUp(points(), scale.spacing, scale.sigma, file.usual_up, threads);
+      evidence =
+          findUp(points(), scale.spacing, scale.sigma, file.usual_up, threads, sensor);
     }
     findSides(true);
   }

@@ -3,9 +3,12 @@
 
 #include <pcl/core/noise_scale.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/core/random.h>
 #include <pcl/core/up_evidence.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace pcl::acmap::test {
 namespace {
@@ -70,6 +73,61 @@ TEST(UpEvidence, ofACameraIsAssumed)
   const UpEvidence up = upOf(view, Eigen::Matrix3d::Identity());
   EXPECT_EQ(up.outcome, UpOutcome::Assumed);
   EXPECT_EQ(up.value, -Vector3d::UnitY());
+}
+
+/** Points of a rectangle, with noise in each direction. */
+void
+addRectangle(const Vector3d& corner,
+             const Vector3d& one,
+             const Vector3d& other,
+             SceneWithUp& scene)
+{
+  constexpr double step = 0.1;
+  Random random(scene.points.size() + 1);
+  for (double a = 0; a < one.norm(); a += step)
+    for (double b = 0; b < other.norm(); b += step)
+      scene.points.push_back(
+          corner + a * one.normalized() + b * other.normalized() +
+          0.003 * Vector3d(random.normal(), random.normal(), random.normal()));
+}
+
+TEST(UpEvidence, ofAWallAloneIsAssumed)
+{
+  SceneWithUp facade;
+  addRectangle({-8, 0, 0}, {16, 0, 0}, {0, 0, 5}, facade);
+  addRectangle({-8, 0.2, 5}, {16, 0, 0}, {0, 0, 6}, facade);
+  const UpEvidence up = upOf(facade, Eigen::Matrix3d::Identity());
+  EXPECT_EQ(up.outcome, UpOutcome::Assumed);
+  EXPECT_EQ(up.value, Vector3d::UnitZ());
+}
+
+/** Above the origin of a site's frame, all of a building is within the view of a camera. */
+TEST(UpEvidence, ofABuildingAboveTheOriginIsNotThatOfACamera)
+{
+  SceneWithUp floor;
+  addRectangle({2, 3, 50}, {9, 0, 0}, {0, 7, 0}, floor);
+  addRectangle({2, 3, 52.6}, {9, 0, 0}, {0, 7, 0}, floor);
+  addRectangle({2, 3, 50}, {9, 0, 0}, {0, 0, 2.6}, floor);
+  EXPECT_EQ(upOf(floor, Eigen::Matrix3d::Identity()).value, Vector3d::UnitZ());
+}
+
+/** The end of a hall that a scanner faces is no floor, though all else is before it. */
+TEST(UpEvidence, isNotAlongWhatASensorFaces)
+{
+  SceneWithUp hall;
+  addRectangle({3, -6, -1.5}, {20, 0, 0}, {0, 12, 0}, hall);
+  addRectangle({3, -6, -1.5}, {20, 0, 0}, {0, 0, 4}, hall);
+  addRectangle({23, -6, -1.5}, {0, 12, 0}, {0, 0, 8}, hall);
+  std::vector<Eigen::Vector3f> points;
+  for (const Vector3d& point : hall.points)
+    points.push_back(point.cast<float>());
+  const PointView view(points.data(), sizeof(Eigen::Vector3f), points.size());
+  SensorEvidence sensor;
+  sensor.outcome = SensorOutcome::Proved;
+  const NoiseScale scale = measureNoiseScale(view, {});
+  const UpEvidence up =
+      findUp(view, scale.spacing, scale.sigma, std::nullopt, 0, sensor);
+  EXPECT_LT(std::abs(up.value.x()), 0.5) << up.evidence;
 }
 
 /** A phone's room with y up, and a facade with its pavement. */

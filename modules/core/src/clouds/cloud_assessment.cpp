@@ -170,9 +170,14 @@ CloudAssessment::compute()
   report.noise = noiseOf(scale_);
   timer.finish("noise");
   const std::optional<UpEvidence> stated = statedUp(given_up_, *file_);
-  report.up =
-      stated ? *stated
-             : findUp(points, scale_.spacing, scale_.sigma, file_->usual_up, threads_);
+  report.up = stated ? *stated
+                     : findUp(points,
+                              scale_.spacing,
+                              scale_.sigma,
+                              file_->usual_up,
+                              threads_,
+                              file_->sensor_origin.isZero(0) ? report.sensors
+                                                             : SensorEvidence());
   timer.finish("up");
   report.unit = unitOf(*file_, points, scale_.spacing);
   if (!report.up.isKnown())

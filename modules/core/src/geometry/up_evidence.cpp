@@ -391,29 +391,52 @@ probabilitiesOf(const std::array<Candidate, 3>& candidates)
   return probabilities;
 }
 
-/** The up direction of a camera at the origin that has all points in front of it: -y if it
- * looks along z, y if it looks along -z, as in computer graphics; none if it is no camera's. */
-std::optional<Vector3d>
-upOfCamera(const PointView& points)
+/** Where the points are, seen from the origin of their frame. */
+struct Look {
+  int axis = -1;         ///< about which nearly all of them are; -1: all around
+  bool is_ahead = false; ///< along it, not against it
+  double range = 0;      ///< median, metres
+};
+
+Look
+lookAt(const PointView& points)
 {
   constexpr double nearly_all = 0.99, cosine = 0.42; // of 65 degrees
-  std::size_t finite = 0, in_front = 0, behind = 0;
+  std::vector<double> ranges;
+  std::array<std::size_t, 3> ahead{}, behind{};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3f point = points[i];
     if (!point.allFinite() || point.isZero(0))
       continue;
-    ++finite;
-    const double along =
-        static_cast<double>(point.z()) / static_cast<double>(point.norm());
-    in_front += along > cosine;
-    behind += along < -cosine;
+    const auto range = static_cast<double>(point.norm());
+    ranges.push_back(range);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto along = static_cast<double>(point[static_cast<int>(axis)]);
+      ahead[axis] += along > cosine * range;
+      behind[axis] += along < -cosine * range;
+    }
   }
+  Look look;
   const auto are = [&](std::size_t count) {
-    return static_cast<double>(count) >= nearly_all * static_cast<double>(finite);
+    return static_cast<double>(count) >=
+           nearly_all * static_cast<double>(ranges.size());
   };
-  if (finite == 0 || are(in_front))
-    return -Vector3d::UnitY();
-  return are(behind) ? std::make_optional<Vector3d>(Vector3d::UnitY()) : std::nullopt;
+  for (const int axis : {0, 1, 2}) // a camera's, the last one, first of all
+    if (const auto k = static_cast<std::size_t>(axis); are(ahead[k]) || are(behind[k]))
+      look = {axis, are(ahead[k])};
+  look.range = ranges.empty() ? 0 : quantileOf(ranges, 0.5);
+  return look;
+}
+
+/** Is it the view of a camera? From the origin of a site's frame, all of a building may be to
+ * one side, too, but beyond the reach of depth cameras, or behind itself. */
+bool
+isOfCamera(const Look& look, const SensorEvidence& sensor)
+{
+  constexpr double reach = 8; // metres, median
+  return look.axis == 2 &&
+         (sensor.isKnown() ||
+          (sensor.outcome == SensorOutcome::Undetermined && look.range < reach));
 }
 
 std::vector<Eigen::Vector3f>
@@ -437,37 +460,68 @@ snapped(const Vector3d& direction)
   return isLevel(direction, along) ? along : direction;
 }
 
+/** What is known of the frame of the points. */
+struct Frame {
+  bool is_usual_known = false; ///< Is it known which direction is up in such files?
+  bool is_sensors = false;     ///< Is it that of the one sensor?
+  bool is_view = false;        ///< and is that a camera?
+  int faced_axis = -1;         ///< along which the sensor looks, -1: all around
+};
+
+/** May the building be turned in its frame because who made the frame has levelled it? That of
+ * a sensor is turned as the sensor is held: level are cameras that pan, about y or z, and
+ * scanners, about z. */
+bool
+mayBeLevelled(int axis, const Frame& frame)
+{
+  return frame.is_view ? axis > 0 : !frame.is_sensors || axis == 2;
+}
+
+/** A level without a ceiling, above which there is little. */
+bool
+mayBeWall(const Candidate& candidate)
+{
+  constexpr double mostly = 0.5;
+  return candidate.height == 0 && candidate.lead < mostly;
+}
+
 /** Which axis is vertical, and which of its senses is up.
  * \param[in,out] evidence with what is assumed if nothing shows it */
 void
-conclude(const std::array<Candidate, 3>& candidates, bool is_view, UpEvidence& evidence)
+conclude(const std::array<Candidate, 3>& candidates,
+         const Frame& frame,
+         UpEvidence& evidence)
 {
   constexpr double sure = 0.85, unlikely = 0.1, sure_of_frame = 0.97;
-  constexpr double one_sided = 0.97, partly_seen = 0.1;
+  constexpr double one_sided = 0.97, mostly = 0.5, partly_seen = 0.1;
   const std::array<double, 3> probabilities = probabilitiesOf(candidates);
   const auto best =
       static_cast<int>(std::max_element(probabilities.begin(), probabilities.end()) -
                        probabilities.begin());
   const int levelled = levelledAxis(candidates);
-  // a camera that only nods turns its frame about x
   const bool is_levelled =
-      levelled >= 0 && (levelled > 0 || !is_view) &&
+      levelled >= 0 && mayBeLevelled(levelled, frame) &&
       probabilities[static_cast<std::size_t>(levelled)] >= unlikely;
   const auto axis = static_cast<std::size_t>(is_levelled ? levelled : best);
   const double needed = levelled < 0 ? sure : sure_of_frame;
-  // a wall that a camera faces covers its picture as a floor covers a plan
-  const bool is_faced = is_view && axis == 2;
-  if (is_faced || (!is_levelled && !(probabilities[axis] >= needed))) {
+  // a wall that a sensor faces covers its picture as a floor covers a plan
+  const bool is_faced = static_cast<int>(axis) == frame.faced_axis;
+  const Candidate& vertical = candidates[axis];
+  const bool is_unusual = !is_levelled && frame.is_usual_known &&
+                          std::abs(vertical.up.dot(evidence.value)) < mostly;
+  const bool is_seen = vertical.lead >= one_sided && vertical.coverage >= partly_seen;
+  if (is_faced || (!is_levelled && mayBeWall(vertical)) || (is_unusual && !is_seen) ||
+      (!is_levelled && !(probabilities[axis] >= needed))) {
     evidence.evidence = "floors, ceilings and walls do not tell which axis is vertical";
-    if (evidence.value == Vector3d::UnitZ() && candidates[2].coverage == 0 &&
-        candidates[1].coverage > 0)
+    if (!frame.is_usual_known && evidence.value == Vector3d::UnitZ() &&
+        candidates[2].coverage == 0 && candidates[1].coverage > 0 &&
+        !mayBeWall(candidates[1]))
       evidence.value = Vector3d::UnitY();
     return;
   }
-  const Candidate& vertical = candidates[axis];
   const Vector3d direction = snapped(vertical.up);
   evidence.evidence = is_levelled ? "levelled frame" : "floor and walls";
-  if (vertical.lead < one_sided || vertical.coverage < partly_seen) {
+  if (!is_seen) {
     evidence.value =
         direction.dot(evidence.value) < 0 ? Vector3d(-direction) : direction;
     evidence.evidence += ", but floor and ceiling look alike";
@@ -487,14 +541,20 @@ findUp(const PointView& points,
        double spacing,
        double sigma,
        const std::optional<Eigen::Vector3f>& usual,
-       unsigned threads)
+       unsigned threads,
+       const SensorEvidence& sensor)
 {
   UpEvidence evidence;
-  const std::optional<Vector3d> of_camera = usual ? std::nullopt : upOfCamera(points);
+  const Look look = lookAt(points);
+  Frame frame;
+  frame.is_usual_known = usual.has_value();
+  frame.is_sensors = sensor.isKnown();
+  frame.is_view = !usual && isOfCamera(look, sensor);
+  frame.faced_axis = frame.is_view || frame.is_sensors ? look.axis : -1;
   if (usual)
     evidence.value = usual->cast<double>().normalized();
-  else if (of_camera)
-    evidence.value = *of_camera;
+  else if (frame.is_view)
+    evidence.value = look.is_ahead ? Vector3d(-Vector3d::UnitY()) : Vector3d::UnitY();
   constexpr std::size_t enough = 1 << 19;
   const std::size_t step = points.size() / enough + 1; // of the points that are asked
   const std::vector<Eigen::Vector3f> asked = everyNth(points, step);
@@ -512,7 +572,7 @@ findUp(const PointView& points,
   for (std::size_t k = 0; k < 3; ++k)
     candidates[k] =
         candidateAlong(surface, facings, Vector3d::Unit(static_cast<Eigen::Index>(k)));
-  conclude(candidates, of_camera.has_value(), evidence);
+  conclude(candidates, frame, evidence);
   return evidence;
 }
 

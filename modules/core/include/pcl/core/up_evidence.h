@@ -3,6 +3,7 @@
 #include <pcl/core/export.h>
 #include <pcl/core/fields.h>
 #include <pcl/core/impl/point_view.h>
+#include <pcl/core/sensor_evidence.h>
 
 #include <Eigen/Core>
 
@@ -50,18 +51,21 @@ inline constexpr std::array<const char*, 3> up_outcome_names{
  *
  * What is not found is assumed: -y in a view of a camera, all points of which are in front
  * of the origin along z, and y if they are so along -z; otherwise what is usual, else z, or y where nothing is horizontal with
- * respect to z.
+ * respect to z. Points before an origin that nothing proves to be a sensor are a view up to some
+ * 8 m; the axis along which a sensor looks is not found to be vertical.
  * \param[in] points metres
  * \param[in] spacing of the points, metres
  * \param[in] sigma their noise, metres
  * \param[in] usual up direction in clouds of this kind, if there is one
- * \param[in] threads 0 for all; the result is the same */
+ * \param[in] threads 0 for all; the result is the same
+ * \param[in] sensor what is known of one at the origin */
 ACMAP_EXPORT UpEvidence
 findUp(const PointView& points,
        double spacing,
        double sigma,
        const std::optional<Eigen::Vector3f>& usual = std::nullopt,
-       unsigned threads = 0);
+       unsigned threads = 0,
+       const SensorEvidence& sensor = {});
 
 } // namespace acmap
 
