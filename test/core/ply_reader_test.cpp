@@ -281,5 +281,20 @@ TEST(PlyReader, readsCapitalsAndFlags)
   EXPECT_THAT(bytesOf(file.cloud, "seen"), ElementsAre(1, 0));
 }
 
+TEST(PlyReader, TellsGaussianSplats)
+{
+  const TemporaryFolder folder;
+  std::string header = "ply\nformat ascii 1.0\nelement vertex 1\n", row;
+  for (const char* name :
+       {"x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "rot_0"}) {
+    header += "property float " + std::string(name) + "\n";
+    row += "1 ";
+  }
+  const PointCloudFile file =
+      loadPointCloud(folder.write("splats.ply", header + "end_header\n" + row + "\n"));
+  EXPECT_THAT(file.remarks,
+              testing::ElementsAre(testing::HasSubstr("Gaussian splats")));
+}
+
 } // namespace
 } // namespace pcl::acmap::test

@@ -1,6 +1,7 @@
 #include "cloud_values.h"
 #include "temporary_folder.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/point_cloud_reader.h>
 
@@ -80,6 +81,16 @@ TEST(TextReader, NamesDecide)
             "1 2 3\r\n4 5 6\r\n",
             "x, y, z"},
            {"1,0\t2,0\t3,0\n4,0\t5,0\t6,0\n", "x, y, z, with decimal commas"},
+           {"Hochwert;Rechtswert;H\xc3\xb6he;Gr\xfcn\n2;1;3;0\n5;4;6;0\n",
+            "y, x, z, Gr?n (left out)"},
+           {"X;Y;Z;Rouge;Vert;Bleu\n1;2;3;9;9;9\n4;5;6;9;9;9\n",
+            "x, y, z, red, green, blue"},
+           {"E,N,H\n1,2,3\n4,5,6\n", "x, y, z"},
+           {"x,y,z,n,h\n1,2,3,9,9\n4,5,6,9,9\n", "x, y, z, n (left out), h (left out)"},
+           {"Easting (m),Northing (m),Ellipsoidal Height (m)\n1,2,3\n4,5,6\n",
+            "x, y, z"},
+           {"X;Y;Z\nm;m;m\n1;2;3\n4;5;6\n", "x, y, z"},
+           {"; of a survey\n% in metres\n1;2;3\n4;5;6\n", "x, y, z"},
            {"1,0;2,0;3\n4,0;5;6,0\n", "x, y, z, with decimal commas"},
            {"1,2,3,\n4,5,6,\n", "x, y, z"},
            {"1 1.0 2.0 3.5\n", "x, y, z, column 4 (left out)"}}) {
@@ -88,6 +99,25 @@ TEST(TextReader, NamesDecide)
     if (file.points().size() == 2)
       expectOneToSix(file);
   }
+}
+
+TEST(TextReader, MakesMetresOfTheUnitInNames)
+{
+  for (const char* text : {"X [mm];Y [mm];Z [mm]\n1000;2000;3000\n4000;5000;6000\n",
+                           "x (cm)\ty (cm)\tz (cm)\n100\t200\t300\n400\t500\t600\n",
+                           "X,Y,Z\nmm,mm,mm\n1000,2000,3000\n4000,5000,6000\n"}) {
+    const PointCloudFile file = loadText("a.csv", text);
+    expectOneToSix(file);
+    EXPECT_THAT(file.remarks, ElementsAre(HasSubstr("--scale"))) << text;
+    EXPECT_TRUE(file.stated_scale);
+  }
+  const TemporaryFolder folder;
+  PointCloudReader reader;
+  reader.setScale(1);
+  expectOneToSix(
+      reader.read(folder.write("a.csv", "x [ft],y [ft],z [ft]\n1,2,3\n4,5,6\n")));
+  EXPECT_THROW(loadText("a.csv", "x [m],y [m],z [mm]\n1,2,3\n4,5,6\n"),
+               InputFileException);
 }
 
 std::string

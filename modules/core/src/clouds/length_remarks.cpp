@@ -96,7 +96,8 @@ millimetreRemark(double median_spacing, const CloudExtent& of_points)
           ? "stand more than " + shortNumber(suspicious_spacing) + " m apart"
           : "spread over more than " + shortNumber(suspicious_extent) + " m";
   return "looks like millimetres: the points " + why +
-         "; a factor of 0.001 makes metres of millimetres (--scale 0.001)";
+         "; a factor of 0.001 makes metres of millimetres (--scale 0.001), 0.01 of "
+         "centimetres, 0.0254 of inches";
 }
 
 std::string

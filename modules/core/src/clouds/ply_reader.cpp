@@ -268,6 +268,20 @@ PlyRows::skipListed(const PlyElement& element)
   }
 }
 
+/** Are the vertices those of a radiance field: ellipsoids, which are no measured points? */
+bool
+areSplats(const PlyElement& element)
+{
+  constexpr std::array<const char*, 4> names = {
+      "opacity", "scale_0", "rot_0", "f_dc_0"};
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return std::any_of(
+        element.properties.begin(),
+        element.properties.end(),
+        [&](const PlyProperty& property) { return property.name == name; });
+  });
+}
+
 } // namespace
 
 PointCloudFile
@@ -279,8 +293,13 @@ readPly(ByteSource& source,
   PointCloudFile file;
   PlyRows rows(source, header.encoding);
   for (const PlyElement& element : header.elements)
-    if (element.name == "vertex")
+    if (element.name == "vertex") {
       rows.readVertices(element, stated, points, file);
+      if (areSplats(element))
+        file.remarks.emplace_back(
+            "holds Gaussian splats: their centres are taken as points, also where they "
+            "float before surfaces; their sizes, opacities and colours are not read");
+    }
     else
       rows.skip(element);
   return file;

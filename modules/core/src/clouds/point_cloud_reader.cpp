@@ -21,6 +21,7 @@ PointCloudReader::setScale(double scale)
 {
   acmap::requireInRange("scale", scale, 1e-12, 1e12, "m");
   scale_ = stated_.scale = scale;
+  stated_.is_scale_stated = true;
 }
 
 void

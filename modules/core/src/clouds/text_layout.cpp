@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace pcl::acmap {
@@ -51,6 +52,42 @@ splitStrictly(std::string_view line,
   }
   while (!fields.empty() && fields.back().empty())
     fields.pop_back();
+}
+
+/** In small letters, with umlauts and accents of UTF-8 and Latin-1 written out. */
+std::string
+plainText(std::string_view text)
+{
+  static constexpr std::pair<std::string_view, std::string_view> letters[] = {
+      {"\xc3\xb6", "oe"},
+      {"\xc3\xbc", "ue"},
+      {"\xc3\xa9", "e"},
+      {"\xf6", "oe"},
+      {"\xfc", "ue"},
+      {"\xe9", "e"}};
+  text = trimmed(text);
+  std::string plain;
+  while (!text.empty()) {
+    const auto letter =
+        std::find_if(std::begin(letters), std::end(letters), [&](const auto& pair) {
+          return text.substr(0, pair.first.size()) == pair.first;
+        });
+    const char c = text.front();
+    if (letter != std::end(letters))
+      plain += letter->second;
+    else
+      plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    text.remove_prefix(letter != std::end(letters) ? letter->first.size() : 1);
+  }
+  return plain;
+}
+
+/** The same of a name without its unit. */
+std::string
+plainName(std::string_view name)
+{
+  name = trimmed(name);
+  return plainText(name.substr(0, name.find_first_of("[(")));
 }
 
 } // namespace
@@ -139,12 +176,11 @@ roleOfName(std::string_view name)
       {"altitude", TextRole::Z},
       {"points:0", TextRole::X},
       {"points:1", TextRole::Y},
-      {"points:2", TextRole::Z}};
-  name = trimmed(name);
-  name = trimmed(name.substr(0, name.find_first_of("[(")));
-  std::string lower(name);
-  for (char& c : lower)
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      {"points:2", TextRole::Z},
+      {"points_m_xyz:0", TextRole::X},
+      {"points_m_xyz:1", TextRole::Y},
+      {"points_m_xyz:2", TextRole::Z}};
+  std::string lower = plainName(name);
   for (const auto& [spelling, role] : spellings)
     if (lower == spelling)
       return role;
@@ -161,6 +197,66 @@ roleOfName(std::string_view name)
     if (standard == role_names[role])
       return static_cast<TextRole>(role);
   return TextRole::None;
+}
+
+TextRole
+roleOfForeignName(std::string_view name)
+{
+  static constexpr std::pair<std::string_view, TextRole> spellings[] = {
+      {"e", TextRole::X},          {"ostwert", TextRole::X},
+      {"rechtswert", TextRole::X}, {"abscisse", TextRole::X},
+      {"est", TextRole::X},        {"este", TextRole::X},
+      {"n", TextRole::Y},          {"nordwert", TextRole::Y},
+      {"hochwert", TextRole::Y},   {"ordonnee", TextRole::Y},
+      {"nord", TextRole::Y},       {"norte", TextRole::Y},
+      {"h", TextRole::Z},          {"ellipsoidal height", TextRole::Z},
+      {"hoehe", TextRole::Z},      {"hauteur", TextRole::Z},
+      {"altura", TextRole::Z},     {"altitud", TextRole::Z},
+      {"cota", TextRole::Z},       {"quota", TextRole::Z},
+      {"rot", TextRole::Red},      {"rouge", TextRole::Red},
+      {"rojo", TextRole::Red},     {"rosso", TextRole::Red},
+      {"gruen", TextRole::Green},  {"vert", TextRole::Green},
+      {"verde", TextRole::Green},  {"blau", TextRole::Blue},
+      {"bleu", TextRole::Blue},    {"azul", TextRole::Blue},
+      {"blu", TextRole::Blue}};
+  const std::string plain = plainName(name);
+  for (const auto& [spelling, role] : spellings)
+    if (plain == spelling)
+      return role;
+  return TextRole::None;
+}
+
+std::optional<double>
+metresInUnit(std::string_view unit)
+{
+  static constexpr std::pair<std::string_view, double> units[] = {{"m", 1},
+                                                                  {"meter", 1},
+                                                                  {"meters", 1},
+                                                                  {"metre", 1},
+                                                                  {"metres", 1},
+                                                                  {"mm", 0.001},
+                                                                  {"cm", 0.01},
+                                                                  {"ft", 0.3048},
+                                                                  {"feet", 0.3048},
+                                                                  {"in", 0.0254},
+                                                                  {"inch", 0.0254},
+                                                                  {"inches", 0.0254}};
+  const std::string plain = plainText(unit);
+  for (const auto& [spelling, metres] : units)
+    if (plain == spelling)
+      return metres;
+  return std::nullopt;
+}
+
+std::string_view
+unitOfName(std::string_view name)
+{
+  const std::size_t begin = name.find_first_of("[(");
+  if (begin == std::string_view::npos)
+    return {};
+  const std::size_t end = name.find_first_of("])", begin);
+  return end == std::string_view::npos ? std::string_view()
+                                       : name.substr(begin + 1, end - begin - 1);
 }
 
 std::vector<TextRole>
@@ -195,6 +291,9 @@ bool
 isTextComment(std::string_view line)
 {
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  if (line.substr(0, 1) == ";" ||
+      line.substr(0, 1) == "%") // or a row without its first
+    return !isTextRow(line);
   return line.substr(0, 1) == "#" || line.substr(0, 2) == "//";
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,7 +40,9 @@ struct TextLayout {
   bool has_decimal_commas = false;
   std::vector<TextRole> roles;    ///< of the columns; of those that follow, None
   std::vector<std::string> names; ///< of the columns, for \ref told
-  bool is_guessed = false;        ///< the colours are known by their numbers only
+  /** \brief Metres in the unit that the names of x, y and z have. */
+  std::optional<double> unit;
+  bool is_guessed = false; ///< the colours are known by their numbers only
   std::vector<std::string> remarks;
 
   /** \brief Number of columns that a row must have. */
@@ -67,6 +70,19 @@ parseField(std::string_view field, bool has_decimal_comma, double& value);
 /** \brief What a name of a header says, in the usual spellings; None for others. */
 TextRole
 roleOfName(std::string_view name);
+
+/** \brief What a name says in surveys and in other languages, or as one letter; only where no
+ * column has a usual name for it, since the letters are also those of other things. */
+TextRole
+roleOfForeignName(std::string_view name);
+
+/** \brief Metres in a unit of length, by its usual spellings. */
+std::optional<double>
+metresInUnit(std::string_view unit);
+
+/** \brief What stands in brackets behind a name; empty without. */
+std::string_view
+unitOfName(std::string_view name);
 
 /** \brief What stated names of columns mean.
  * \throws BadArgumentException for a name that is none, one that comes twice, or without x,

@@ -32,7 +32,7 @@ headOf(std::string_view text, bool is_whole)
     std::uint64_t count = 0;
     std::string_view word;
     if (isTextComment(line)) {
-      line.remove_prefix(std::min(line.find_first_not_of(" \t#/"), line.size()));
+      line.remove_prefix(std::min(line.find_first_not_of(" \t#/;%"), line.size()));
       if (head.rows.empty())
         head.comments.push_back(line);
     }
@@ -82,6 +82,37 @@ leaveOutParts(TextLayout& layout)
   }
 }
 
+/** Names of other languages where no column has a usual one. */
+void
+takeForeignNames(TextLayout& layout)
+{
+  const TextLayout usual = layout;
+  for (std::size_t i = 0; i < layout.roles.size(); ++i)
+    if (const TextRole role = roleOfForeignName(layout.names[i]);
+        layout.roles[i] == TextRole::None && !usual.has(role))
+      layout.roles[i] = role;
+}
+
+/** \brief The unit of the coordinates, if their names have one.
+ * \param[in] units of the columns
+ * \throws InputFileException if x, y and z have several */
+void
+takeUnit(const std::vector<std::string_view>& units,
+         TextLayout& layout,
+         const ByteSource& source)
+{
+  for (std::size_t i = 0; i < std::min(units.size(), layout.roles.size()); ++i) {
+    const bool is_place =
+        layout.roles[i] >= TextRole::X && layout.roles[i] <= TextRole::Z;
+    const std::optional<double> metres = metresInUnit(units[i]);
+    if (!is_place || !metres)
+      continue;
+    if (layout.unit && *layout.unit != *metres)
+      source.fail("names several units of its coordinates: write them in one");
+    layout.unit = metres;
+  }
+}
+
 /** \brief Takes a line as the names of the columns.
  * \return false if there are no coordinates among them */
 bool
@@ -97,6 +128,11 @@ takeNames(std::string_view line,
                                       Separators::Semicolons}) {
     std::vector<std::string_view> names;
     splitRow(line, separators, names);
+    std::vector<std::string_view> units;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (!isUnit(names[i]))
+        units.push_back(unitOfName(
+            i + 1 < names.size() && isUnit(names[i + 1]) ? names[i + 1] : names[i]));
     names.erase(std::remove_if(names.begin(), names.end(), isUnit), names.end());
     TextLayout named = layout;
     named.roles.clear();
@@ -104,22 +140,41 @@ takeNames(std::string_view line,
     for (const std::string_view name : names)
       named.roles.push_back(roleOfName(name));
     refuseDegrees(names, source);
+    takeForeignNames(named);
     std::array<std::size_t, text_roles> counts{};
     for (const TextRole role : named.roles)
       ++counts[static_cast<std::size_t>(role)];
-    if (counts[1] == 0 || counts[2] == 0 || counts[3] == 0)
+    if (counts[1] == 0 || counts[2] == 0 || counts[3] == 0) {
+      if (separators == layout.separators && separators != Separators::Any &&
+          names.size() == columns)
+        return false; // other separators stand within names
       continue;
+    }
     if (std::any_of(counts.begin() + 1, counts.end(), [](auto n) { return n > 1; }) ||
         names.size() > columns)
       source.fail("names its columns " + inQuotes(line) + ", its rows have " +
                   std::to_string(columns) +
                   ": --columns x,y,z says what they are, - leaves one out");
     leaveOutParts(named);
+    takeUnit(units, named, source);
     named.roles.resize(columns, TextRole::None);
     layout = std::move(named);
     return true;
   }
   return false;
+}
+
+/** Is a line that of the units below names, as "m;m;m"? */
+bool
+isOfUnits(std::string_view line, const TextLayout& layout)
+{
+  std::vector<std::string_view> fields;
+  splitRow(line, layout.separators, fields);
+  return !fields.empty() &&
+         std::all_of(fields.begin(), fields.end(), [](std::string_view field) {
+           const std::string_view unit = unitOfName(field);
+           return field.empty() || metresInUnit(unit.empty() ? field : unit);
+         });
 }
 
 /** The largest number of fields of a row. */
@@ -173,25 +228,34 @@ findTextLayout(std::string_view text,
                const std::vector<std::string>& columns,
                const ByteSource& source)
 {
-  const TextHead head = headOf(text, text.size() == source.remaining());
+  TextHead head = headOf(text, text.size() == source.remaining());
   if (head.rows.empty())
     source.fail("has no row of three numbers");
   if (!head.lines.empty() && head.lines[0].substr(0, 5) == "ncols")
     source.fail(
         "is a grid of heights: gdal_translate -of XYZ makes a list of points of "
         "it");
+  TextLayout layout;
+  std::string_view units;
+  if (head.lines.size() == 2 && isOfUnits(head.lines[1], {})) {
+    units = head.lines[1];
+    head.lines.pop_back();
+  }
   if (head.lines.size() > 1)
     source.fail("begins with " + std::to_string(head.lines.size()) +
                 " lines that are no points, as " + inQuotes(head.lines[0]));
-  TextLayout layout;
   findSeparators(head, layout, source);
   const std::size_t most = mostFields(head, layout);
   if (!columns.empty()) {
     layout.roles = rolesOfColumns(columns);
     return layout;
   }
-  if (!head.lines.empty() && takeNames(head.lines.back(), most, layout, source))
+  if (!head.lines.empty() && takeNames(head.lines.back(), most, layout, source)) {
+    std::vector<std::string_view> fields;
+    splitRow(units, layout.separators, fields);
+    takeUnit(fields, layout, source);
     return layout;
+  }
   for (auto comment = head.comments.rbegin();
        head.lines.empty() && comment != head.comments.rend();
        ++comment)

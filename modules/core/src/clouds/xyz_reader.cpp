@@ -4,6 +4,7 @@
 #include "files/text_number.h"
 
 #include <pcl/PCLPointField.h>
+#include <pcl/core/impl/size_text.h>
 
 #include <algorithm>
 #include <array>
@@ -184,6 +185,24 @@ storeRows(const TextLayout& layout,
   }
 }
 
+/** Makes metres of the unit that the names have, unless the caller states one. */
+void
+scaleToMetres(const TextLayout& layout,
+              const CloudStatement& stated,
+              TextTable& table,
+              PointCloudFile& file)
+{
+  if (!layout.unit || stated.is_scale_stated)
+    return;
+  file.stated_scale = layout.unit;
+  if (*layout.unit == 1)
+    return;
+  for (double& place : table.places)
+    place *= *layout.unit;
+  file.remarks.push_back("its columns name their unit: " + shortNumber(*layout.unit) +
+                         " m were taken for 1; --scale states another");
+}
+
 /** \throws InputFileException for what is no text of lines in UTF-8 */
 void
 passMark(ByteSource& source)
@@ -212,10 +231,11 @@ readText(ByteSource& source, bool is_pts, const CloudStatement& stated)
     source.fail("has no row of three numbers");
   const FieldLayout fields = planLayout(fieldsOf(layout), source);
   PointCloudFile file;
+  file.remarks = layout.remarks;
+  scaleToMetres(layout, stated, table, file);
   shapeCloud(file.cloud, fields, table.rows(), 1);
   storeRows(layout, fields, table, source, file.cloud);
   file.columns = layout.told();
-  file.remarks = layout.remarks;
   shiftPlaces(table.places, stated, false, file);
   counts.tell(table.rows(), is_pts, file.remarks);
   CoordinateCheck check(true, stated.scale);

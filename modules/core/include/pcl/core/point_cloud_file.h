@@ -49,7 +49,8 @@ struct PointCloudFile {
    * known and the points do not show another (OBJ: y, national grids: z). */
   std::optional<Eigen::Vector3f> usual_up;
 
-  /** \brief Metres in a unit of the file, if the caller stated it: the cloud is in metres. */
+  /** \brief Metres in a unit of the file, if the caller or the names of its columns state it: the
+   * cloud is in metres. */
   std::optional<double> stated_scale;
 
   /** \brief Positions of the sensor that an int32 field `view` refers to, in the frame of

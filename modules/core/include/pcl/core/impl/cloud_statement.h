@@ -18,6 +18,8 @@ struct CloudStatement {
 
   /** \brief Leave a field of colours out in which all points are black, with a remark. */
   bool without_black = false;
+
+  bool is_scale_stated = false; ///< the names of columns do not change it then
 };
 
 } // namespace pcl::acmap
