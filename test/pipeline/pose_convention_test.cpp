@@ -137,6 +137,46 @@ TEST_F(DriveViews, RefuseWrongPosesWithTheOptionThatStatesThem)
   }
 }
 
+TEST_F(DriveViews, RefuseCloudsThatAreInOneFrame)
+{
+  std::vector<std::shared_ptr<const PointCloudFile>> moved;
+  for (std::size_t i = 0; i < clouds_.size(); ++i) {
+    PointCloud<PointXYZ> cloud;
+    fromPCLPointCloud2(clouds_[i]->cloud, cloud);
+    for (PointXYZ& point : cloud)
+      point.getVector3fMap() =
+          (trajectory_.poses[i] * point.getVector3fMap().cast<double>()).cast<float>();
+    const auto file = std::make_shared<PointCloudFile>();
+    toPCLPointCloud2(cloud, file->cloud);
+    moved.push_back(file);
+  }
+  try {
+    PoseConventionCheck().compute(ObservationSequence(moved, trajectory_));
+    FAIL() << "the poses were taken";
+  }
+  catch (const InputFileException& fault) {
+    EXPECT_THAT(fault.what(), HasSubstr("in one frame"));
+  }
+}
+
+/** TUM's depths with 1000 numbers in a metre are five times too small if 5000 are taken. */
+TEST_F(DriveViews, NameDepthsThatAreFiveTimesTooSmall)
+{
+  std::vector<std::shared_ptr<const PointCloudFile>> small;
+  for (const auto& cloud : clouds_) {
+    const auto file = std::make_shared<PointCloudFile>(*cloud);
+    scaleCloud(*file, 0.2);
+    small.push_back(file);
+  }
+  try {
+    PoseConventionCheck().compute(ObservationSequence(small, trajectory_));
+    FAIL() << "the depths were taken";
+  }
+  catch (const InputFileException& fault) {
+    EXPECT_THAT(fault.what(), HasSubstr("5 times too small: --depth-scale"));
+  }
+}
+
 TEST_F(DriveViews, AgreeWithPosesThatAreStated)
 {
   for (const PoseReading& truth : allReadings()) {

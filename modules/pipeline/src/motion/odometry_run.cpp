@@ -92,8 +92,11 @@ odometryView(std::size_t index,
   view.file = std::move(observation);
   const PCLPointCloud2& cloud = view.file->cloud;
   if (cloud.height < 2)
-    throw InputFileException(name +
-                             ": is not organized, it has one row of points only");
+    throw InputFileException(
+        name +
+        ": is not organized, it has one row of points only, by which no poses are "
+        "found: write those of the folder to trajectory.txt or poses.txt in it, or "
+        "merge clouds that are in one frame into one file");
   if (!findColor(cloud))
     throw InputFileException(name + ": has no colour, a field rgb is needed");
   view.cloud = pointsWithColor(cloud);

@@ -24,7 +24,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kitti_ending = ".bin";
-constexpr const char* kitti_poses = "poses.txt";
+
+/** \brief The file of poses without times; empty if there is none. */
+fs::path
+posesIn(const fs::path& folder)
+{
+  return findEntry(folder, {"poses.txt", "traj.txt"});
+}
 
 /** \brief Axes of a camera in those of KITTI's scanner, whose x is ahead and z up. */
 Eigen::Isometry3d
@@ -132,7 +138,7 @@ takeKittiPoses(const fs::path& place, const std::string& path, CloudFolder& clou
 fs::path
 kittiPosesOf(const fs::path& place)
 {
-  const fs::path found = findEntry(place, {kitti_poses});
+  const fs::path found = posesIn(place);
   if (!found.empty())
     return found;
   const fs::path whole = fs::absolute(place).lexically_normal();
@@ -190,7 +196,7 @@ openCloudFolder(const std::string& folder)
   const fs::path place =
       endingOf(clouds.paths.front()) == kitti_ending &&
               fs::path(clouds.paths.front()).parent_path() == fs::path(folder) &&
-              findEntry(folder, {trajectory_name, kitti_poses}).empty()
+              findEntry(folder, {trajectory_name}).empty() && posesIn(folder).empty()
           ? fs::path(folder) / ".."
           : fs::path(folder);
   std::vector<std::string> names;

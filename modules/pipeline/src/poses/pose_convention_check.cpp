@@ -179,7 +179,7 @@ recordedPose(const ObservationSequence& sequence, std::size_t i)
   }
 }
 
-/** Agreement of each pair under each reading. */
+/** Agreement of each pair under each reading, and last, with both clouds as they are. */
 using Scores = std::vector<std::vector<double>>;
 
 double
@@ -237,12 +237,14 @@ scoresOf(const ObservationSequence& sequence,
     if (!a || !b)
       continue;
     const Eigen::Isometry3d &from = recorded[first], &to = recorded[second];
-    std::vector<double> scored(readings.size());
+    std::vector<double> scored(readings.size() + 1);
     acmap::withThreads(threads, [&] {
-      oneapi::tbb::parallel_for(std::size_t{0}, readings.size(), [&](std::size_t i) {
+      oneapi::tbb::parallel_for(std::size_t{0}, scored.size(), [&](std::size_t i) {
         const Eigen::Isometry3d T_a_b =
-            (readPose(from, readings[i]) * T_recorded_cloud).inverse() *
-            readPose(to, readings[i]) * T_recorded_cloud;
+            i == readings.size()
+                ? Eigen::Isometry3d::Identity()
+                : (readPose(from, readings[i]) * T_recorded_cloud).inverse() *
+                      readPose(to, readings[i]) * T_recorded_cloud;
         scored[i] = acmap::agreementOf(*a, *b, T_a_b);
       });
     });
@@ -301,6 +303,58 @@ judge(const Scores& scores,
                        : PoseVerdict::Undetermined;
 }
 
+/** Are the clouds in one frame, so that poses would move them once more? Views in the frames of
+ * their cameras hardly lie on each other as they are, and better than by any reading of their
+ * poses. \return what shows it; empty: they are not */
+std::string
+inOneFrame(const Scores& scores, const std::vector<PoseReading>& readings)
+{
+  Contest contest;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    contest = compare(scores, readings.size(), i);
+    if (!isWrong(contest))
+      return {};
+  }
+  return "its clouds fit on each other as they are (" +
+         std::to_string(contest.agreeing) + " of " + std::to_string(contest.differing) +
+         " pairs that differ): they are in one frame, and its poses would move them "
+         "once "
+         "more; merge them into one cloud";
+}
+
+/** \brief Poses that seem to be in another unit, because depths are: do they fit better if these
+ * are wrong by five, as of the depth images of TUM and of others? */
+void
+blameDepths(const Scores& scores,
+            const std::vector<PoseReading>& readings,
+            PoseConventionReport& report)
+{
+  std::size_t best = 1;
+  for (std::size_t i = 2; i < readings.size(); ++i)
+    if (sumOf(scores, i) > sumOf(scores, best))
+      best = i;
+  const Contest contest = compare(scores, best, 0);
+  if (best == 1 || !isWrong(contest))
+    return;
+  report.found = readings[best];
+  report.equivalents.clear();
+  report.margin = contest.nats;
+  report.differing = contest.differing;
+  report.agreeing = contest.agreeing;
+}
+
+/** What is stated, what was found, and what the stated poses are if the depths are wrong. */
+std::vector<PoseReading>
+readingsOfDepths(const PoseConventionReport& report)
+{
+  std::vector<PoseReading> readings = {report.stated, report.found};
+  for (const double factor : {0.2, 5.0})
+    for (std::size_t i = 0; i < acmap::pose_convention_names.size(); ++i)
+      readings.push_back(
+          {static_cast<PoseConvention>(i), factor * report.stated.scale});
+  return readings;
+}
+
 std::string
 optionsFor(const PoseReading& reading, double stated_scale)
 {
@@ -309,6 +363,18 @@ optionsFor(const PoseReading& reading, double stated_scale)
          (reading.scale == stated_scale
               ? ""
               : " --pose-scale " + acmap::shortNumber(reading.scale));
+}
+
+/** Hint at the depths where the unit of poses is that of nobody. */
+std::string
+depthsToBlame(const PoseConventionReport& report)
+{
+  const double factor = report.found.scale / report.stated.scale;
+  if (factor != 0.2 && factor != 5)
+    return {};
+  return ", but more probably the depths are read " +
+         acmap::shortNumber(std::max(factor, 1 / factor)) + " times too " +
+         (factor < 1 ? "small" : "large") + ": --depth-scale states theirs";
 }
 
 std::string
@@ -330,7 +396,39 @@ contradictionOf(const PoseConventionReport& report, const std::string& source)
               ? ", of the camera, or of camera and world, which views cannot tell "
                 "apart"
               : "") +
-         "; " + options + " states it";
+         "; " + options + " states it" + depthsToBlame(report);
+}
+
+struct Finding {
+  PoseConventionReport report;
+  std::string in_one_frame; ///< what shows that the clouds are; empty: they are not
+};
+
+Finding
+check(const ObservationSequence& posed,
+      unsigned threads,
+      const ProgressCallback& progress)
+{
+  Finding finding;
+  PoseConventionReport& report = finding.report;
+  report.stated = report.found = posed.poseReading();
+  if (!posed.hasRecordedPoses() || posed.size() < 2)
+    return finding;
+  acmap::StepTimer timer(report);
+  Poses recorded;
+  for (std::size_t i = 0; i < posed.size(); ++i)
+    recorded.push_back(recordedPose(posed, i));
+  const std::vector<PoseReading> readings = readingsBeside(report.stated);
+  const Scores scores = scoresOf(posed, recorded, readings, threads, progress);
+  judge(scores, readings, report);
+  finding.in_one_frame = inOneFrame(scores, readings);
+  if (report.verdict == PoseVerdict::Contradicted &&
+      report.found.scale != report.stated.scale) {
+    const std::vector<PoseReading> others = readingsOfDepths(report);
+    blameDepths(scoresOf(posed, recorded, others, threads, progress), others, report);
+  }
+  timer.finish("check");
+  return finding;
 }
 
 } // namespace
@@ -368,25 +466,18 @@ ObservationSequence
 PoseConventionCheck::assess(const ObservationSequence& sequence)
 {
   ObservationSequence posed = read(sequence);
-  PoseConventionReport report;
-  report.stated = report.found = posed.poseReading();
-  if (sequence.hasRecordedPoses() && sequence.size() > 1) {
-    acmap::StepTimer timer(report);
-    Poses recorded;
-    for (std::size_t i = 0; i < sequence.size(); ++i)
-      recorded.push_back(recordedPose(sequence, i));
-    const std::vector<PoseReading> readings = readingsBeside(report.stated);
-    judge(scoresOf(posed, recorded, readings, threads_, progress_), readings, report);
-    timer.finish("check");
-  }
-  report_ = std::move(report);
+  report_ = check(posed, threads_, progress_).report;
   return posed;
 }
 
 ObservationSequence
 PoseConventionCheck::compute(const ObservationSequence& sequence)
 {
-  ObservationSequence posed = assess(sequence);
+  ObservationSequence posed = read(sequence);
+  Finding finding = check(posed, threads_, progress_);
+  report_ = std::move(finding.report);
+  if (!finding.in_one_frame.empty())
+    throw InputFileException(sequence.source() + ": " + finding.in_one_frame);
   if (report_.verdict == PoseVerdict::Contradicted)
     throw InputFileException(contradictionOf(report_, sequence.source()));
   return posed;

@@ -59,6 +59,12 @@ fitDepthCamera(const FrameSizes& sizes, RgbdSequence& sequence)
     from = sizes.color;
   if (from.width == 0 || from.height == 0 || areSame(from, sizes.depth))
     return;
+  if (!isEnlarged(from, sizes.depth) && !isEnlarged(sizes.depth, from)) {
+    sequence.remarks.push_back("the camera is that of images of " + sizeText(from) +
+                               " pixels, the depth images have another shape, " +
+                               sizeText(sizes.depth) + "; --intrinsics states theirs");
+    return;
+  }
   sequence.camera = scaledPinhole(sequence.camera, from, sizes.depth);
   sequence.remarks.push_back("the camera is that of images of " + sizeText(from) +
                              " pixels: scaled to the depth images' " +

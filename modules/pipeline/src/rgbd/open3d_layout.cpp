@@ -40,8 +40,8 @@ takeCamera(const fs::path& folder, RgbdSequence& sequence)
 {
   const fs::path camera = findEntry(
       folder, {"camera_intrinsic.json", "camera_intrinsics.json", "intrinsic.json"});
-  const SizedCamera found =
-      camera.empty() ? SizedCamera{primesense, {}} : loadOpen3dCamera(camera.string());
+  const SizedCamera found = camera.empty() ? SizedCamera{primesense, {640, 480}}
+                                           : loadOpen3dCamera(camera.string());
   sequence.camera = found.pinhole;
   sequence.camera_size = found.size;
   if (camera.empty())

@@ -91,6 +91,7 @@ findCamera(const fs::path& folder, RgbdSequence& sequence)
 {
   const fs::path found = findEntry(folder, {eth3d_camera_file});
   if (found.empty()) {
+    sequence.camera_size = {640, 480};
     sequence.remarks.push_back(
         "the folder does not tell its camera: took TUM's fx = fy = 525, cx = 319.5, "
         "cy = 239.5; --intrinsics names another");
