@@ -303,18 +303,23 @@ judge(const Scores& scores,
                        : PoseVerdict::Undetermined;
 }
 
-/** Are the clouds in one frame, so that poses would move them once more? Views in the frames of
- * their cameras hardly lie on each other as they are, and better than by any reading of their
- * poses. \return what shows it; empty: they are not */
+/** \brief Are the clouds in one frame, so that poses would move them once more? Views in the frames
+ * of their cameras hardly lie on each other as they are, and better than by what is stated.
+ * Without turns, poses in metres that are read in millimetres move nothing, either.
+ * \param[in] may_be_small can the poses be in millimetres?
+ * \return what shows it; empty: they are not */
 std::string
-inOneFrame(const Scores& scores, const std::vector<PoseReading>& readings)
+inOneFrame(const Scores& scores,
+           const std::vector<PoseReading>& readings,
+           bool may_be_small)
 {
-  Contest contest;
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    contest = compare(scores, readings.size(), i);
-    if (!isWrong(contest))
+  constexpr double alike = 8; // nats
+  const Contest contest = compare(scores, readings.size(), 0);
+  if (!isWrong(contest))
+    return {};
+  for (std::size_t i = 1; i < readings.size(); ++i)
+    if (compare(scores, readings.size(), i).nats < (may_be_small ? alike : -alike))
       return {};
-  }
   return "its clouds fit on each other as they are (" +
          std::to_string(contest.agreeing) + " of " + std::to_string(contest.differing) +
          " pairs that differ): they are in one frame, and its poses would move them "
@@ -421,7 +426,8 @@ check(const ObservationSequence& posed,
   const std::vector<PoseReading> readings = readingsBeside(report.stated);
   const Scores scores = scoresOf(posed, recorded, readings, threads, progress);
   judge(scores, readings, report);
-  finding.in_one_frame = inOneFrame(scores, readings);
+  finding.in_one_frame =
+      inOneFrame(scores, readings, haveLongSteps(recorded, report.stated.scale));
   if (report.verdict == PoseVerdict::Contradicted &&
       report.found.scale != report.stated.scale) {
     const std::vector<PoseReading> others = readingsOfDepths(report);
