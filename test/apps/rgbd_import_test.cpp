@@ -166,9 +166,10 @@ TEST_F(RgbdImport, TumHasADefaultCameraThatIsTold)
   const ToolRun done = run().succeeded();
   EXPECT_THAT(done.err, HasSubstr("warning: the folder does not tell its camera"));
   EXPECT_THAT(done.err, HasSubstr("319.5"));
-  EXPECT_THAT(done.err, HasSubstr("far from the middle of images of 8 x 6"));
+  EXPECT_THAT(done.err,
+              HasSubstr("640 x 480 pixels: scaled to the depth images' 8 x 6"));
   expectObservation(
-      outputFile("observation_0000.pcd"), 0, {525, 525, 319.5, 239.5, 5000});
+      outputFile("observation_0000.pcd"), 0, {6.5625, 6.5625, 3.5, 2.5, 5000});
 }
 
 TEST_F(RgbdImport, CameraComesFromAFileOfEitherKind)
