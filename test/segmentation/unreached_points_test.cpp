@@ -16,7 +16,7 @@ using Points = LargeVector<Eigen::Vector3d>;
 
 /** Reaches, restores and removes at random, beside a search through all points. */
 void
-compareWithBruteForce(const Points& points, double radius)
+compareWithAllPoints(const Points& points, double radius)
 {
   planes::UnreachedPoints unreached(points, radius);
   std::set<std::int32_t> removed, reached;
@@ -59,8 +59,8 @@ compareWithBruteForce(const Points& points, double radius)
 TEST(UnreachedPoints, AreFoundOnce)
 {
   for (const double radius : {0.05, 0.3, 1.0, 10.0})
-    compareWithBruteForce(makePoints(600, 1, Eigen::Vector3d::Zero(), 7), radius);
-  compareWithBruteForce(makePoints(600, 1, {-70, 30, 1e5}, 7), 0.25);
+    compareWithAllPoints(makePoints(600, 1, Eigen::Vector3d::Zero(), 7), radius);
+  compareWithAllPoints(makePoints(600, 1, {-70, 30, 1e5}, 7), 0.25);
 }
 
 TEST(UnreachedPoints, UglyOnesAreFoundNeverOrOnce)
@@ -73,7 +73,7 @@ TEST(UnreachedPoints, UglyOnesAreFoundNeverOrOnce)
     points[i] = {nan, 0, 0};
   points[5] = {1e300, -1e300, 1e300};
   points[6] = points[5];
-  compareWithBruteForce(points, 0.4);
+  compareWithAllPoints(points, 0.4);
   const Points none;
   planes::UnreachedPoints(none, 1).restore();
 }
