@@ -85,7 +85,7 @@ TEST(NextPositions, UncoverLessEachTime)
 /** Floor and ceiling in turn; more patches than are looked at. */
 TEST(NextPositions, LookAtFloorAndCeilingAlike)
 {
-  constexpr std::size_t patches = 4000; // of each
+  constexpr std::size_t patches = 2000; // of each: every second one is looked at
   const CompactMap map = makeHalfSeenRoom();
   const FloorPlan plan = makeFloorPlan(map);
   UnseenSurfaces unseen;
@@ -93,10 +93,10 @@ TEST(NextPositions, LookAtFloorAndCeilingAlike)
     for (const bool is_ceiling : {false, true}) {
       UnseenPatch patch;
       patch.center = {2 + 0.05 * static_cast<double>(k % 40),
-                      1 + 0.02 * static_cast<double>(k / 40),
+                      1 + 0.04 * static_cast<double>(k / 40),
                       is_ceiling ? 2.5 : 0};
       patch.normal.z() = is_ceiling ? -1 : 1;
-      patch.area = 0.001;
+      patch.area = 0.002;
       patch.role = is_ceiling ? SurfaceRole::Ceiling : SurfaceRole::Floor;
       patch.room = 0;
       unseen.patches.push_back(patch);
