@@ -138,8 +138,7 @@ TEST_F(RanksTest, KeepTheirMemoryLimitsWithTheSameBytes)
 TEST_F(RanksTest, GiveTheSameBytesOfOneCloud)
 {
   mapBy(1);
-  input_ = folder_.path("by1/map.pcd");
-  fs::rename(input_, folder_.path("cloud.pcd"));
+  fs::rename(folder_.path("by1/map.pcd"), folder_.path("cloud.pcd"));
   input_ = folder_.path("cloud.pcd");
   way_.clear();
   const auto alone = mapBy(1);

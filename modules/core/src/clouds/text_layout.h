@@ -71,8 +71,8 @@ parseField(std::string_view field, bool has_decimal_comma, double& value);
 TextRole
 roleOfName(std::string_view name);
 
-/** \brief What a name says in surveys and in other languages, or as one letter; only where no
- * column has a usual name for it, since the letters are also those of other things. */
+/** \brief Role of a column by a name of surveys, of another language, or of one letter; only where
+ * no column has a usual name for that role, since the letters may name other quantities. */
 TextRole
 roleOfForeignName(std::string_view name);
 
@@ -80,7 +80,7 @@ roleOfForeignName(std::string_view name);
 std::optional<double>
 metresInUnit(std::string_view unit);
 
-/** \brief What stands in brackets behind a name; empty without. */
+/** \brief The unit in brackets behind a name; empty without brackets. */
 std::string_view
 unitOfName(std::string_view name);
 

@@ -545,7 +545,8 @@ findUp(const PointView& points,
        const SensorEvidence& sensor)
 {
   UpEvidence evidence;
-  const Look look = lookAt(points);
+  const bool is_look_asked = !usual || sensor.isKnown();
+  const Look look = is_look_asked ? lookAt(points) : Look();
   Frame frame;
   frame.is_usual_known = usual.has_value();
   frame.is_sensors = sensor.isKnown();

@@ -769,13 +769,13 @@ PlaneMapping::runSteps(bool compute_mesh, MappedPlanes& result)
         rows.layout().height > 1 ? rowsOfIndices(rows, *kept) : someRows(rows, *kept);
   }
   const PointView points = requirePoints(rows);
+  const bool has_mesh = !input_mesh_.triangles.empty();
   const std::optional<Picture> picture =
-      input_mesh_.triangles.empty()
-          ? planePictureOf(points, rows.layout().width, getUsedDepthSensor())
-          : std::nullopt;
+      has_mesh ? std::nullopt
+               : planePictureOf(points, rows.layout().width, getUsedDepthSensor());
   std::optional<RankedWork> work;
-  if (ranks_ && ranks_->size() > 1 && !rows.shares() && !picture &&
-      input_mesh_.triangles.empty() && policy_ != ConsolidationPolicy::Never) {
+  if (ranks_ && ranks_->size() > 1 && !rows.shares() && !has_mesh && !picture &&
+      policy_ != ConsolidationPolicy::Never) {
     work.emplace(ranks_,
                  rows,
                  viewpoints_.empty() ? std::vector{input_->sensor_origin} : viewpoints_,
@@ -786,7 +786,7 @@ PlaneMapping::runSteps(bool compute_mesh, MappedPlanes& result)
   MappedPlanes found;
   PlaneMappingRun run(
       *this, compute_mesh, rows, *input_, cost_callback_, progress_, report);
-  if (!input_mesh_.triangles.empty()) {
+  if (has_mesh) {
     requireCornersInside(input_mesh_.triangles, points.size());
     found = run.fromMesh(input_mesh_);
   }

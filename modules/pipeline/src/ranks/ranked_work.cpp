@@ -79,7 +79,6 @@ RankedWork::RankedWork(std::shared_ptr<Ranks> ranks,
 , points_(ranks_->size(), 0)
 , waiting_(ranks_->size(), 0)
 {
-  constexpr std::size_t points_of_part = std::size_t{1} << 18;
   for (std::size_t rank = 1; rank < ranks_->size(); ++rank) {
     ByteParcel parcel = parcelOf(RankRequest::BeginPoints);
     parcel.put(threads);
@@ -89,9 +88,9 @@ RankedWork::RankedWork(std::shared_ptr<Ranks> ranks,
     ranks_->send(rank, parcel.bytes());
     const auto [begin, end] = acmap::shareOf(rank, ranks_->size(), all_);
     points_[rank] = end - begin;
-    for (std::size_t i = begin; i < end; i += points_of_part) {
+    for (std::size_t i = begin; i < end; i += acmap::points_of_part) {
       ByteParcel part = parcelOf(RankRequest::TakePoints);
-      acmap::putMapRows(rows, i, std::min(i + points_of_part, end), part);
+      acmap::putMapRows(rows, i, std::min(i + acmap::points_of_part, end), part);
       ranks_->send(rank, part.bytes());
     }
   }

@@ -171,7 +171,6 @@ private:
     head.put(merged.are_colored);
     head.put(cloud_.size());
     send(head);
-    constexpr std::size_t points_of_part = std::size_t{1} << 18;
     const std::size_t step = cloud_.layout().point_step;
     for (std::size_t i = 0; i < cloud_.size(); i += points_of_part) {
       ByteParcel rows;

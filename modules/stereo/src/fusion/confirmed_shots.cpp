@@ -1,24 +1,16 @@
 #include "confirmed_shots.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::acmap {
 
 namespace {
 
-constexpr int radius = 3;         // px, of the square around a pixel
-constexpr float max_distance = 1; // px, between disparities of one surface
+constexpr int radius = 3; // px, of the square around a pixel
 constexpr std::size_t around_each = 3;
 
 // One shot alone is often that of a silhouette, which hides the pixel from a neighbour.
 constexpr std::ptrdiff_t min_shots = 2;
-
-bool
-agree(float a, float b)
-{
-  return std::abs(a - b) <= max_distance;
-}
 
 } // namespace
 
@@ -27,15 +19,6 @@ ConfirmedShots::ConfirmedShots(const std::vector<MatchedDisparity>& shots,
 : shots_(shots)
 , min_around_(around_each * min_support)
 {}
-
-void
-ConfirmedShots::collectOwn(std::size_t pixel)
-{
-  own_.clear();
-  for (const MatchedDisparity& shot : shots_)
-    if (shot.outcome[pixel] == DisparityOutcome::Matched)
-      own_.push_back({shot.disparity.values[pixel], shot.sigma[pixel]});
-}
 
 void
 ConfirmedShots::collectAround(std::size_t pixel)
@@ -63,40 +46,30 @@ ConfirmedShots::confirmationsOf(float disparity) const
       }));
 }
 
-void
-ConfirmedShots::fuse(std::size_t pixel, MatchedDisparity& fused)
+std::optional<FusedDisparity>
+ConfirmedShots::fuse(const ShotDisparity* begin,
+                     const ShotDisparity* end,
+                     std::size_t pixel)
 {
-  collectOwn(pixel);
-  if (own_.empty())
-    return;
   collectAround(pixel);
-  sortShots(own_.data(), own_.data() + own_.size());
   float best = 0;
   std::size_t confirmations = 0;
-  for (const ShotDisparity& shot : own_)
-    if (const std::size_t number = confirmationsOf(shot.disparity);
+  for (const ShotDisparity* shot = begin; shot != end; ++shot)
+    if (const std::size_t number = confirmationsOf(shot->disparity);
         number > confirmations) {
       confirmations = number;
-      best = shot.disparity;
+      best = shot->disparity;
     }
   if (confirmations < min_around_ || !isMajority(confirmations, around_.size()))
-    return;
-  const auto [begin, end] = std::equal_range(
-      own_.data(),
-      own_.data() + own_.size(),
-      ShotDisparity{best, 0},
-      [](const ShotDisparity& a, const ShotDisparity& b) {
+    return std::nullopt;
+  const auto [first, last] = std::equal_range(
+      begin, end, ShotDisparity{best, 0}, [](const auto& a, const auto& b) {
         return a.disparity < b.disparity && !agree(a.disparity, b.disparity);
       });
-  if (end - begin < std::min(min_shots, static_cast<std::ptrdiff_t>(shots_.size())))
-    return;
-  const FusedDisparity result = consistentMeanOfShots(begin, end);
-  if (!result.is_consistent)
-    return;
-  fused.disparity.values[pixel] = result.disparity;
-  fused.sigma[pixel] = result.sigma;
-  fused.support[pixel] = result.support;
-  fused.outcome[pixel] = DisparityOutcome::Matched;
+  if (last - first < std::min(min_shots, static_cast<std::ptrdiff_t>(shots_.size())))
+    return std::nullopt;
+  const FusedDisparity result = consistentMeanOfShots(first, last);
+  return result.is_consistent ? std::optional(result) : std::nullopt;
 }
 
 } // namespace pcl::acmap

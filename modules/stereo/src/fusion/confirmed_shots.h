@@ -4,13 +4,14 @@
 
 #include <pcl/stereo/matched_disparity.h>
 
+#include <optional>
 #include <vector>
 
 namespace pcl::acmap {
 
-/** \brief Fuses pixels whose own shots do not decide, because they are too few or
- * contradict each other: of their disparities those count that most disparities of the
- * pixels around them confirm, in all shots. */
+/** \brief Fuses the shots of pixels that do not decide alone, because they are too few or
+ * contradict each other: those count that most disparities of the pixels around confirm,
+ * in all shots. */
 class ConfirmedShots {
 public:
   /** \param[in] shots must outlive the object
@@ -18,15 +19,12 @@ public:
    * confirm nothing */
   ConfirmedShots(const std::vector<MatchedDisparity>& shots, std::size_t min_support);
 
-  /** \brief Sets a pixel of an image of the size of the shots; leaves it as it is if none
-   * of its own disparities is confirmed. */
-  void
-  fuse(std::size_t pixel, MatchedDisparity& fused);
+  /** \param[in] begin, end the shots of the pixel, sorted, at least one
+   * \return nothing if too few of them are confirmed */
+  std::optional<FusedDisparity>
+  fuse(const ShotDisparity* begin, const ShotDisparity* end, std::size_t pixel);
 
 private:
-  void
-  collectOwn(std::size_t pixel);
-
   void
   collectAround(std::size_t pixel);
 
@@ -36,7 +34,6 @@ private:
 
   const std::vector<MatchedDisparity>& shots_;
   std::size_t min_around_;
-  std::vector<ShotDisparity> own_;
   std::vector<float> around_; // px
 };
 

@@ -33,6 +33,7 @@ public:
   , statistic_(statistic)
   , min_support_(min_support)
   , samples_(shots.size())
+  , confirmed_(shots, min_support)
   {}
 
   void
@@ -44,7 +45,7 @@ public:
         samples_[found++] = {shot.disparity.values[pixel], shot.sigma[pixel]};
     if (found == 0)
       fused.outcome[pixel] = commonestOutcome(shots_, pixel);
-    else if (found >= min_support_)
+    else
       fuseFound(found, pixel, fused);
   }
 
@@ -54,23 +55,36 @@ private:
   {
     ShotDisparity* const begin = samples_.data();
     sortShots(begin, begin + found);
-    const FusedDisparity result = statistic_ == ShotStatistic::Median
-                                      ? medianOfShots(begin, begin + found)
-                                      : consistentMeanOfShots(begin, begin + found);
-    if (!result.is_consistent)
-      fused.outcome[pixel] = DisparityOutcome::Inconsistent;
-    else if (result.support >= min_support_) {
-      fused.disparity.values[pixel] = result.disparity;
-      fused.sigma[pixel] = result.sigma;
-      fused.support[pixel] = result.support;
-      fused.outcome[pixel] = DisparityOutcome::Matched;
+    const bool is_median = statistic_ == ShotStatistic::Median;
+    if (found >= min_support_) {
+      const FusedDisparity result = is_median
+                                        ? medianOfShots(begin, begin + found)
+                                        : consistentMeanOfShots(begin, begin + found);
+      if (result.is_consistent && result.support >= min_support_)
+        return set(result, pixel, fused);
+      if (!result.is_consistent)
+        fused.outcome[pixel] = DisparityOutcome::Inconsistent;
     }
+    if (is_median)
+      return;
+    if (const auto result = confirmed_.fuse(begin, begin + found, pixel))
+      set(*result, pixel, fused);
+  }
+
+  static void
+  set(const FusedDisparity& result, std::size_t pixel, MatchedDisparity& fused)
+  {
+    fused.disparity.values[pixel] = result.disparity;
+    fused.sigma[pixel] = result.sigma;
+    fused.support[pixel] = result.support;
+    fused.outcome[pixel] = DisparityOutcome::Matched;
   }
 
   const std::vector<MatchedDisparity>& shots_;
   ShotStatistic statistic_;
   std::size_t min_support_;
   std::vector<ShotDisparity> samples_;
+  ConfirmedShots confirmed_;
 };
 
 } // namespace
@@ -100,13 +114,6 @@ fuseShots(const std::vector<MatchedDisparity>& shots,
     for (std::size_t i = begin; i < end; ++i)
       pixels.fuse(i, fused);
   });
-  if (statistic == ShotStatistic::ConsistentMean)
-    parallelForChunks(fused.outcome.size(), [&](std::size_t begin, std::size_t end) {
-      ConfirmedShots confirmed(shots, min_support);
-      for (std::size_t i = begin; i < end; ++i)
-        if (fused.outcome[i] != DisparityOutcome::Matched)
-          confirmed.fuse(i, fused);
-    });
   return fused;
 }
 

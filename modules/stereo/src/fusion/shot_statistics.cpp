@@ -91,7 +91,7 @@ bool
 isAgreed(const ShotDisparity* begin, const ShotDisparity* end, float disparity)
 {
   const auto agreed = std::count_if(begin, end, [=](const ShotDisparity& shot) {
-    return std::abs(shot.disparity - disparity) <= min_limit;
+    return agree(shot.disparity, disparity);
   });
   return isMajority(static_cast<std::size_t>(agreed),
                     static_cast<std::size_t>(end - begin));
@@ -149,6 +149,12 @@ consistentMeanOfShots(const ShotDisparity* begin, const ShotDisparity* end)
           fusedSigma({shots, shots, shots / weights, misfit}),
           support,
           isAgreed(begin, end, mean) && tested <= chiSquareLimit(support - 1U)};
+}
+
+bool
+agree(float a, float b)
+{
+  return std::abs(a - b) <= min_limit;
 }
 
 bool

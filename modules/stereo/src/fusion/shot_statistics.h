@@ -37,6 +37,10 @@ medianOfShots(const ShotDisparity* begin, const ShotDisparity* end);
 FusedDisparity
 consistentMeanOfShots(const ShotDisparity* begin, const ShotDisparity* end);
 
+/** \brief Are disparities (px) those of one surface: at most 1 px apart? */
+bool
+agree(float a, float b);
+
 /** \brief Returns true if so many of all disparities are taken for the true one: 60 %. */
 bool
 isMajority(std::size_t agreed, std::size_t all);
