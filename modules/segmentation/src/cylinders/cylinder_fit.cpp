@@ -1,5 +1,7 @@
 #include "cylinders/cylinder_fit.h"
 
+#include <pcl/core/impl/parallel.h>
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -67,20 +69,28 @@ struct Equations {
 Equations
 equationsAt(const std::vector<Sample>& samples, const CylinderFit& fit, double gate)
 {
-  Equations sums;
-  for (const Sample& sample : samples) {
-    const Offset offset(fit.cylinder, sample);
-    sums.cost += offset.exists ? tukeyCost(offset.value, gate) : 1;
-    if (!offset.exists || std::abs(offset.slant) < min_slant / 2)
-      continue;
-    const double weight = tukeyWeight(offset.value, gate);
-    if (weight == 0)
-      continue;
-    const Vector5 slope = slopeOf(offset, fit.cylinder, fit);
-    sums.matrix.noalias() += (weight * slope) * slope.transpose();
-    sums.right -= weight * offset.value * slope;
-  }
-  return sums;
+  const auto sumOf = [&](std::size_t begin, std::size_t end) {
+    Equations sums;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Offset offset(fit.cylinder, samples[i]);
+      sums.cost += offset.exists ? tukeyCost(offset.value, gate) : 1;
+      if (!offset.exists || std::abs(offset.slant) < min_slant / 2)
+        continue;
+      const double weight = tukeyWeight(offset.value, gate);
+      if (weight == 0)
+        continue;
+      const Vector5 slope = slopeOf(offset, fit.cylinder, fit);
+      sums.matrix.noalias() += (weight * slope) * slope.transpose();
+      sums.right -= weight * offset.value * slope;
+    }
+    return sums;
+  };
+  return parallelReduceChunks(
+      samples.size(), Equations(), sumOf, [](Equations& all, const Equations& more) {
+        all.matrix += more.matrix;
+        all.right += more.right;
+        all.cost += more.cost;
+      });
 }
 
 /** The samples whose rays do not graze the cylinder: a selection by the rays, unlike

@@ -6,6 +6,7 @@
 
 #include <pcl/core/impl/map_check.h>
 #include <pcl/core/impl/map_pictures.h>
+#include <pcl/core/impl/parallel.h>
 #include <pcl/core/map_file.h>
 #include <pcl/core/map_up.h>
 #include <pcl/core/output_file.h>
@@ -160,15 +161,7 @@ public:
     places.set(surfaces_, atlas_, images);
     places.set(kinds, kind_images);
     saveMapFile(place(map_name), map_);
-    for (std::size_t i = 0; i < images.size(); ++i)
-      writeBytes(images[i],
-                 outputs_.jpeg_images
-                     ? encodeJpeg(atlas_.pages[i], outputs_.jpeg_quality)
-                     : encodePng(atlas_.pages[i]));
-    for (std::size_t i = 0; i < kind_images.size(); ++i) {
-      const KindAtlas::Page& page = kinds.pages[i];
-      writeBytes(kind_images[i], encodePng(page.width, page.height, page.values));
-    }
+    writePages(images, kinds, kind_images);
     if (outputs_.obj) {
       acmap::writeObj(place("map.obj"), map_, surfaces_, proposed_, atlas_);
       acmap::writeMtl(
@@ -189,6 +182,29 @@ private:
     acmap::pollRun();
     names_.push_back(name);
     return folder_.path(name);
+  }
+
+  /** Encodes the pages side by side, which takes most of the time. */
+  void
+  writePages(const std::vector<std::string>& images,
+             const KindAtlas& kinds,
+             const std::vector<std::string>& kind_images)
+  {
+    std::vector<std::vector<std::uint8_t>> files(images.size() + kind_images.size());
+    oneapi::tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t i) {
+      if (i >= images.size()) {
+        const KindAtlas::Page& page = kinds.pages[i - images.size()];
+        files[i] = encodePng(page.width, page.height, page.values);
+      }
+      else
+        files[i] = outputs_.jpeg_images
+                       ? encodeJpeg(atlas_.pages[i], outputs_.jpeg_quality)
+                       : encodePng(atlas_.pages[i]);
+    });
+    for (std::size_t i = 0; i < images.size(); ++i)
+      writeBytes(images[i], files[i]);
+    for (std::size_t i = 0; i < kind_images.size(); ++i)
+      writeBytes(kind_images[i], files[images.size() + i]);
   }
 
   void

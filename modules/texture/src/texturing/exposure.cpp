@@ -18,13 +18,8 @@ struct Overlap {
   double sum = 0; ///< of log (brightness in the first view / in the second view)
 };
 
-using Overlaps = std::map<std::pair<std::int32_t, std::int32_t>, Overlap>;
-
-double
-brightness(const Sample& sample)
-{
-  return sample.color[0] + sample.color[1] + sample.color[2];
-}
+using ViewPair = std::pair<std::int32_t, std::int32_t>;
+using Overlaps = std::map<ViewPair, Overlap>;
 
 bool
 tells(const Sample& sample)
@@ -35,25 +30,69 @@ tells(const Sample& sample)
   return sample.weight > 0 && *maximum > dark && *maximum<bright&& * minimum> 0;
 }
 
-void
-addPairs(const std::array<Sample, Canvas::max_samples>& samples, Overlaps& overlaps)
-{
-  constexpr double max_ratio = 0.7; // a factor of two; larger ratios have other causes
-  for (std::size_t a = 0; a < samples.size(); ++a)
-    for (std::size_t b = a + 1; b < samples.size(); ++b) {
-      if (!tells(samples[a]) || !tells(samples[b]))
-        continue;
-      const bool is_ordered = samples[a].view < samples[b].view;
-      const Sample& first = is_ordered ? samples[a] : samples[b];
-      const Sample& second = is_ordered ? samples[b] : samples[a];
-      const double ratio = std::log(brightness(first) / brightness(second));
-      if (std::abs(ratio) > max_ratio)
-        continue;
-      Overlap& overlap = overlaps[{first.view, second.view}];
-      ++overlap.count;
-      overlap.sum += ratio;
-    }
-}
+/** Sums the ratios of all pairs of samples of a texel. */
+class OverlapSums {
+public:
+  OverlapSums()
+  {
+    for (std::size_t sum = 1; sum < logs_.size(); ++sum)
+      logs_[sum] = std::log(static_cast<double>(sum));
+  }
+
+  void
+  add(const Canvas::Samples& samples)
+  {
+    std::array<bool, Canvas::max_samples> is_told;
+    std::transform(samples.begin(), samples.end(), is_told.begin(), tells);
+    Found* found = found_.data();
+    for (std::size_t a = 0; a < samples.size(); ++a)
+      for (std::size_t b = a + 1; b < samples.size(); ++b, ++found)
+        if (is_told[a] && is_told[b]) {
+          if (samples[a].view < samples[b].view)
+            add(samples[a], samples[b], *found);
+          else
+            add(samples[b], samples[a], *found);
+        }
+  }
+
+  const Overlaps&
+  overlaps() const
+  {
+    return overlaps_;
+  }
+
+private:
+  /** A pair of views and its overlap. Neighbouring texels mostly have the same. */
+  struct Found {
+    ViewPair pair{-1, -1};
+    Overlap* overlap = nullptr;
+  };
+
+  double
+  logOf(const Sample& sample) const
+  {
+    return logs_[std::size_t{sample.color[0]} + sample.color[1] + sample.color[2]];
+  }
+
+  void
+  add(const Sample& first, const Sample& second, Found& found)
+  {
+    constexpr double max_ratio =
+        0.7; // a factor of two; larger ratios have other causes
+    const double ratio = logOf(first) - logOf(second);
+    if (std::abs(ratio) > max_ratio)
+      return;
+    const ViewPair pair{first.view, second.view};
+    if (found.pair != pair)
+      found = {pair, &overlaps_[pair]};
+    ++found.overlap->count;
+    found.overlap->sum += ratio;
+  }
+
+  std::array<double, 3 * 255 + 1> logs_{}; ///< of the sum of three colours
+  std::array<Found, Canvas::max_samples*(Canvas::max_samples - 1) / 2> found_;
+  Overlaps overlaps_;
+};
 
 /** The smallest level that at most a share of the counted texels exceed. */
 std::size_t
@@ -96,10 +135,10 @@ displayExposure(const CompactMap& map)
 std::vector<double>
 exposureGains(const std::vector<Canvas>& canvases, std::size_t views)
 {
-  Overlaps overlaps;
+  OverlapSums sums;
   for (const Canvas& canvas : canvases)
     for (const auto& samples : canvas.samples)
-      addPairs(samples, overlaps);
+      sums.add(samples);
 
   // log g_first - log g_second = - mean log ratio, weighted by the root of the texel
   // count
@@ -109,7 +148,7 @@ exposureGains(const std::vector<Canvas>& canvases, std::size_t views)
   constexpr double prior = 1; // weight of a gain of 1
   for (Eigen::Index view = 0; view < size; ++view)
     entries.emplace_back(view, view, prior);
-  for (const auto& [pair, overlap] : overlaps) {
+  for (const auto& [pair, overlap] : sums.overlaps()) {
     const double weight = std::sqrt(overlap.count);
     const double ratio = weight * overlap.sum / overlap.count;
     entries.emplace_back(pair.first, pair.first, weight);

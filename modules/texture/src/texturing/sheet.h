@@ -50,6 +50,8 @@ public:
   Place
   placeOf(std::int32_t column, std::int32_t row) const
   {
+    if (charts_a_row_ == 1 && charts_a_column_ == 1) // the divisions below take time
+      return {first_, (*canvases_)[first_].index(column, row)};
     const std::size_t canvas =
         first_ +
         static_cast<std::size_t>(row / maximum_ * charts_a_row_ + column / maximum_);

@@ -1,5 +1,6 @@
 #include "texturing/canvas_painting.h"
 #include "texturing/intensity_greys.h"
+#include "texturing/moved_samples.h"
 #include "texturing/sheet.h"
 #include "texturing/texel_size.h"
 #include "texturing/view_alignment.h"

@@ -1,12 +1,16 @@
 #include "texturing/view_alignment.h"
 
+#include "texturing/block_image.h"
+#include "texturing/sheet_plane.h"
+
 #include <pcl/core/impl/parallel.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
-#include <optional>
+#include <numeric>
 
 namespace pcl::acmap::texturing {
 
@@ -15,156 +19,30 @@ namespace {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
-
-/** Brightness of a part of a sheet, in blocks of texels; NaN where it is unknown. */
-struct BlockImage {
-  std::int32_t left = 0, top = 0, width = 0, height = 0; ///< blocks
-  std::vector<float> values;
-
-  float
-  at(std::int32_t column, std::int32_t row) const
-  {
-    const std::int32_t c = column - left, r = row - top;
-    return c < 0 || r < 0 || c >= width || r >= height
-               ? unknown
-               : values[static_cast<std::size_t>(r) * static_cast<std::size_t>(width) +
-                        static_cast<std::size_t>(c)];
-  }
-
-  float&
-  operator()(std::int32_t column, std::int32_t row)
-  {
-    return values[static_cast<std::size_t>(row - top) *
-                      static_cast<std::size_t>(width) +
-                  static_cast<std::size_t>(column - left)];
-  }
-
-  /** Bilinear between the middles of blocks; NaN where one of them is unknown. */
-  float
-  between(const Eigen::Vector2d& place) const
-  {
-    const Eigen::Vector2d at_middle = place.array() - 0.5;
-    const auto c = static_cast<std::int32_t>(std::floor(at_middle.x()));
-    const auto r = static_cast<std::int32_t>(std::floor(at_middle.y()));
-    const auto x = static_cast<float>(at_middle.x() - c);
-    const auto y = static_cast<float>(at_middle.y() - r);
-    return (1 - y) * ((1 - x) * at(c, r) + x * at(c + 1, r)) +
-           y * ((1 - x) * at(c, r + 1) + x * at(c + 1, r + 1));
-  }
-
-  void
-  cover(const Eigen::AlignedBox2i& box)
-  {
-    left = box.min().x();
-    top = box.min().y();
-    width = box.sizes().x() + 1;
-    height = box.sizes().y() + 1;
-    values.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
-                  unknown);
-  }
+/** A camera and how it was moved. */
+struct MovedCamera {
+  Eigen::Vector3d eye; ///< before
+  Eigen::Isometry3d move = Eigen::Isometry3d::Identity();
 };
-
-/** The same in blocks of twice the side. */
-BlockImage
-halved(const BlockImage& fine)
-{
-  BlockImage coarse;
-  coarse.cover({Eigen::Vector2i(fine.left / 2, fine.top / 2),
-                Eigen::Vector2i((fine.left + fine.width - 1) / 2,
-                                (fine.top + fine.height - 1) / 2)});
-  for (std::int32_t row = coarse.top; row < coarse.top + coarse.height; ++row)
-    for (std::int32_t column = coarse.left; column < coarse.left + coarse.width;
-         ++column) {
-      float sum = 0;
-      int count = 0;
-      for (const std::int32_t r : {2 * row, 2 * row + 1})
-        for (const std::int32_t c : {2 * column, 2 * column + 1})
-          if (const float value = fine.at(c, r); !std::isnan(value)) {
-            sum += value;
-            ++count;
-          }
-      if (count > 1)
-        coarse(column, row) = sum / static_cast<float>(count);
-    }
-  return coarse;
-}
-
-/** A plane of a sheet, and where its texels are. */
-struct SheetPlane {
-  TextureChart chart; ///< of the whole sheet, without colours
-  Eigen::Vector4d plane;
-
-  /** The place that the camera, before it was moved, shows where \p place is afterwards. */
-  Eigen::Vector2d
-  sourceOf(const Eigen::Vector3d& place,
-           const Eigen::Vector3d& eye,
-           const Eigen::Isometry3d& inverse_move) const
-  {
-    const Eigen::Vector3d ray = inverse_move * place - eye;
-    const double along = plane.head<3>().dot(ray);
-    const double from = plane.head<3>().dot(eye) + plane[3];
-    return placeOn(chart, eye - from / along * ray);
-  }
-};
-
-/** What the views show of a sheet. */
-struct SheetImages {
-  SheetPlane surface;
-  std::map<std::int32_t, BlockImage> views;
-};
-
-SheetPlane
-planeOf(const Canvas& first, const Sheet& sheet)
-{
-  SheetPlane plane{first.chart, *first.surface.plane()};
-  plane.chart.colors.width = sheet.width();
-  plane.chart.colors.height = sheet.height();
-  return plane;
-}
-
-/** Images in blocks of two texels. */
-SheetImages
-imagesOf(const Canvas& first, const Sheet& sheet, const std::vector<double>& gains)
-{
-  constexpr std::int32_t block = 2;
-  SheetImages images{planeOf(first, sheet), {}};
-  std::map<std::int32_t, Eigen::AlignedBox2i> boxes;
-  const auto forSamples = [&](const auto& function) {
-    for (std::int32_t row = 0; row < sheet.height(); ++row)
-      for (std::int32_t column = 0; column < sheet.width(); ++column)
-        for (const Sample& sample : sheet.samplesOf(sheet.placeOf(column, row)))
-          if (sample.weight > 0)
-            function(Eigen::Vector2i(column / block, row / block), sample);
-  };
-  forSamples([&](const Eigen::Vector2i& place, const Sample& sample) {
-    boxes[sample.view].extend(place);
-  });
-  std::map<std::int32_t, BlockImage> counts;
-  for (const auto& [view, box] : boxes) {
-    images.views[view].cover(box);
-    counts[view].cover(box);
-  }
-  forSamples([&](const Eigen::Vector2i& place, const Sample& sample) {
-    float& sum = images.views[sample.view](place.x(), place.y());
-    float& count = counts[sample.view](place.x(), place.y());
-    const auto value =
-        static_cast<float>(gains[static_cast<std::size_t>(sample.view)] *
-                           (sample.color[0] + sample.color[1] + sample.color[2]) / 3);
-    sum = std::isnan(sum) ? value : sum + value;
-    count = std::isnan(count) ? 1 : count + 1;
-  });
-  for (auto& [view, image] : images.views)
-    for (std::size_t i = 0; i < image.values.size(); ++i)
-      image.values[i] /= counts[view].values[i];
-  return images;
-}
 
 /** Normal equations of the motion of a camera, and the robust mean square of what is left. */
 struct Equations {
-  Matrix6d matrix = Matrix6d::Zero();
+  Matrix6d matrix = Matrix6d::Zero(); ///< its upper half
   Vector6d right = Vector6d::Zero();
   double cost = 0, count = 0;
+
+  /** \param[in] row derivatives of the brightness by the motion
+   * \param[in] rest brightness that is missing */
+  void
+  add(const Vector6d& row, double rest, double weight)
+  {
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      const double weighted = weight * row[i];
+      for (Eigen::Index j = i; j < 6; ++j)
+        matrix(i, j) += weighted * row[j];
+      right[i] -= weighted * rest;
+    }
+  }
 
   void
   add(const Equations& other)
@@ -176,156 +54,309 @@ struct Equations {
   }
 };
 
-/** A camera and how it was moved. */
-struct MovedCamera {
-  Eigen::Vector3d eye; ///< before
-  Eigen::Isometry3d move = Eigen::Isometry3d::Identity();
+/** What a view shows of a sheet. */
+struct SheetView {
+  std::size_t sheet; ///< number among those of the level
+  std::size_t view;
+  BlockImage image; ///< as it was painted
+  BlockImage moved; ///< after its camera was moved
+  Equations equations;
+
+  SheetView(std::size_t sheet, std::size_t view)
+  : sheet(sheet)
+  , view(view)
+  {}
 };
 
-/** What the views show of a sheet after their cameras were moved, over the whole sheet. */
-struct MovedImages {
-  std::map<std::int32_t, BlockImage> views;
+/** The sum over all views of a sheet. */
+struct SheetSum {
+  SheetPlane surface;
   BlockImage sum, count;
 };
 
-MovedImages
-moved(const SheetImages& images,
-      std::int32_t block,
-      const std::vector<MovedCamera>& cameras)
+/** All planes in blocks of so many texels. */
+struct Level {
+  std::int32_t block;
+  std::vector<SheetSum> sheets;
+  std::vector<SheetView> views; ///< those of a sheet follow each other
+};
+
+/** Calls a function with the block and each sample of a sheet. */
+template <typename Function>
+void
+forSamples(const Sheet& sheet, std::int32_t block, const Function& function)
+{
+  for (std::int32_t row = 0; row < sheet.height(); ++row)
+    for (std::int32_t column = 0; column < sheet.width(); ++column)
+      for (const Sample& sample : sheet.samplesOf(sheet.placeOf(column, row))) {
+        if (!(sample.weight > 0))
+          break;
+        function(column / block, row / block, sample);
+      }
+}
+
+/** The images of the views of a sheet. */
+std::vector<SheetView>
+viewsOf(std::size_t number,
+        const Sheet& sheet,
+        std::int32_t block,
+        const std::vector<double>& gains)
+{
+  std::vector<Eigen::AlignedBox2i> boxes(gains.size());
+  forSamples(sheet, block, [&](std::int32_t c, std::int32_t r, const Sample& sample) {
+    boxes[static_cast<std::size_t>(sample.view)].extend(Eigen::Vector2i(c, r));
+  });
+  std::vector<SheetView> views;
+  std::vector<std::size_t> places(gains.size());
+  for (std::size_t view = 0; view < boxes.size(); ++view)
+    if (!boxes[view].isEmpty()) {
+      places[view] = views.size();
+      views.emplace_back(number, view);
+      views.back().image.cover(boxes[view]);
+      views.back().moved.cover(boxes[view]); // counts, until it is moved
+    }
+  forSamples(sheet, block, [&](std::int32_t c, std::int32_t r, const Sample& sample) {
+    const auto view = static_cast<std::size_t>(sample.view);
+    float& sum = views[places[view]].image(c, r);
+    float& count = views[places[view]].moved(c, r);
+    const auto value = static_cast<float>(
+        gains[view] * (sample.color[0] + sample.color[1] + sample.color[2]) / 3);
+    sum = std::isnan(sum) ? value : sum + value;
+    count = std::isnan(count) ? 1 : count + 1;
+  });
+  for (SheetView& view : views)
+    for (std::size_t i = 0; i < view.image.values.size(); ++i)
+      view.image.values[i] /= view.moved.values[i];
+  return views;
+}
+
+/** The finest level. */
+Level
+levelOf(const std::vector<Canvas>& canvases,
+        const std::vector<Sheet>& sheets,
+        std::int32_t block,
+        const std::vector<double>& gains)
+{
+  Level level{block, {}, {}};
+  std::vector<const Sheet*> planes;
+  for (const Sheet& sheet : sheets)
+    if (canvases[sheet.begin()].surface.plane()) {
+      planes.push_back(&sheet);
+      level.sheets.push_back({{canvases[sheet.begin()], sheet}, {}, {}});
+    }
+  std::vector<std::vector<SheetView>> views(planes.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, planes.size(), [&](std::size_t s) {
+    views[s] = viewsOf(s, *planes[s], block, gains);
+  });
+  for (std::vector<SheetView>& of_sheet : views)
+    std::move(of_sheet.begin(), of_sheet.end(), std::back_inserter(level.views));
+  return level;
+}
+
+Level
+halved(const Level& fine)
+{
+  Level coarse{2 * fine.block, fine.sheets, {}};
+  for (const SheetView& view : fine.views) {
+    coarse.views.emplace_back(view.sheet, view.view);
+    coarse.views.back().image = halved(view.image);
+  }
+  return coarse;
+}
+
+/** Moves an image as its camera is. */
+void
+moveImage(const Level& level, const MovedCamera& camera, SheetView& view)
 {
   constexpr std::int32_t border = 2; // blocks that a motion may add
-  const TextureChart& chart = images.surface.chart;
-  const Eigen::Vector2i last((chart.colors.width - 1) / block,
-                             (chart.colors.height - 1) / block);
-  MovedImages result;
-  result.sum.cover({Eigen::Vector2i(0, 0), last});
-  result.count = result.sum;
-  for (const auto& [view, image] : images.views) {
-    const MovedCamera& camera = cameras[static_cast<std::size_t>(view)];
-    const Eigen::Isometry3d inverse = camera.move.inverse();
-    BlockImage& here = result.views[view];
-    here.cover(
-        {Eigen::Vector2i(std::max(image.left - border, 0),
-                         std::max(image.top - border, 0)),
-         Eigen::Vector2i(std::min(image.left + image.width + border, last.x()),
-                         std::min(image.top + image.height + border, last.y()))});
-    for (std::int32_t row = here.top; row < here.top + here.height; ++row)
-      for (std::int32_t column = here.left; column < here.left + here.width; ++column) {
-        const Eigen::Vector3d place =
-            middleOf(chart, (column + 0.5) * block - 0.5, (row + 0.5) * block - 0.5);
-        const float value =
-            image.between(images.surface.sourceOf(place, camera.eye, inverse) / block);
+  const SheetPlane& surface = level.sheets[view.sheet].surface;
+  const BlockImage& image = view.image;
+  BlockImage& moved = view.moved;
+  const Eigen::Vector2i last((surface.chart.colors.width - 1) / level.block,
+                             (surface.chart.colors.height - 1) / level.block);
+  moved.cover({Eigen::Vector2i(std::max(image.left - border, 0),
+                               std::max(image.top - border, 0)),
+               Eigen::Vector2i(std::min(image.left + image.width + border, last.x()),
+                               std::min(image.top + image.height + border, last.y()))});
+  const Eigen::Matrix3d source =
+      surface.sourceOf(camera.eye, camera.move.inverse(), level.block);
+  for (std::int32_t row = moved.top; row < moved.top + moved.height; ++row) {
+    const Eigen::Vector3d start =
+        (row + 0.5) * source.col(1) + 0.5 * source.col(0) + source.col(2);
+    for (std::int32_t column = moved.left; column < moved.left + moved.width;
+         ++column) {
+      const Eigen::Vector3d place = start + column * source.col(0);
+      moved(column, row) = image.between(place.x() / place.z(), place.y() / place.z());
+    }
+  }
+}
+
+void
+sumViews(Level& level, std::size_t number, std::size_t begin, std::size_t end)
+{
+  SheetSum& sheet = level.sheets[number];
+  const RgbImage& size = sheet.surface.chart.colors;
+  sheet.sum.cover({Eigen::Vector2i(0, 0),
+                   Eigen::Vector2i((size.width - 1) / level.block,
+                                   (size.height - 1) / level.block)});
+  sheet.count = sheet.sum;
+  for (std::size_t v = begin; v < end; ++v) {
+    const BlockImage& image = level.views[v].moved;
+    std::size_t i = 0;
+    for (std::int32_t row = image.top; row < image.top + image.height; ++row)
+      for (std::int32_t column = image.left; column < image.left + image.width;
+           ++column, ++i) {
+        const float value = image.values[i];
         if (std::isnan(value))
           continue;
-        here(column, row) = value;
-        float& sum = result.sum(column, row);
-        float& count = result.count(column, row);
+        float& sum = sheet.sum(column, row);
+        float& count = sheet.count(column, row);
         sum = std::isnan(sum) ? value : sum + value;
         count = std::isnan(count) ? 1 : count + 1;
       }
   }
-  return result;
 }
 
-/** Adds what a sheet says about the cameras. */
+/** What a view says about its camera, as far as others show the same places. */
 void
-addEquations(const SheetImages& images,
-             std::int32_t block,
-             const std::vector<MovedCamera>& cameras,
-             std::map<std::int32_t, Equations>& equations)
+setEquations(const Level& level, const MovedCamera& camera, SheetView& view)
 {
   constexpr double robust = 12; // levels
-  const MovedImages now = moved(images, block, cameras);
-  const TextureChart& chart = images.surface.chart;
-  const Eigen::Vector3d normal = images.surface.plane.head<3>();
+  const SheetSum& sheet = level.sheets[view.sheet];
+  const TextureChart& chart = sheet.surface.chart;
+  const Eigen::Vector3d normal = sheet.surface.plane.head<3>();
+  const Eigen::Vector3d eye = camera.move * camera.eye;
+  const Eigen::Vector3d lifted = normal / -(normal.dot(eye) + sheet.surface.plane[3]);
+  const Eigen::Vector3d u = chart.texel_u / (level.block * chart.texel_u.squaredNorm());
+  const Eigen::Vector3d v = chart.texel_v / (level.block * chart.texel_v.squaredNorm());
   const auto mean = [&](std::int32_t column, std::int32_t row) {
-    return now.sum.at(column, row) / now.count.at(column, row);
+    return sheet.sum.at(column, row) / sheet.count.at(column, row);
   };
-  for (const auto& [view, image] : now.views) {
-    const MovedCamera& camera = cameras[static_cast<std::size_t>(view)];
-    const Eigen::Vector3d eye = camera.move * camera.eye;
-    Equations& own = equations[view];
-    for (std::int32_t row = image.top; row < image.top + image.height; ++row)
-      for (std::int32_t column = image.left; column < image.left + image.width;
-           ++column) {
-        const float value = image.at(column, row);
-        const float count = now.count.at(column, row);
-        if (std::isnan(value) || !(count > 1))
-          continue;
-        const double right =
-            static_cast<double>((mean(column + 1, row) - mean(column - 1, row)) / 2);
-        const double down =
-            static_cast<double>((mean(column, row + 1) - mean(column, row - 1)) / 2);
-        if (std::isnan(right + down))
-          continue;
-        const double rest = static_cast<double>(
-            (now.sum.at(column, row) - value) / (count - 1) - value);
-        const Eigen::Vector3d place =
-            middleOf(chart, (column + 0.5) * block - 0.5, (row + 0.5) * block - 0.5);
-        const Eigen::Vector3d ray = place - eye;
-        // levels that a motion of the place in space changes here
-        Eigen::Vector3d slope = (right * chart.texel_u + down * chart.texel_v) /
-                                (block * chart.texel_u.squaredNorm());
-        slope -= slope.dot(ray) / normal.dot(ray) * normal;
-        Vector6d row_of_motion;
-        row_of_motion << ray.cross(slope), slope;
-        const double weight = std::min(1.0, robust / std::max(std::abs(rest), 1e-9));
-        own.matrix += weight * row_of_motion * row_of_motion.transpose();
-        own.right -= weight * rest * row_of_motion;
-        own.cost += std::min(rest * rest, 4 * robust * robust);
-        ++own.count;
-      }
-  }
+  view.equations = {};
+  Equations& own = view.equations;
+  const BlockImage& image = view.moved;
+  std::size_t i = 0;
+  for (std::int32_t row = image.top; row < image.top + image.height; ++row)
+    for (std::int32_t column = image.left; column < image.left + image.width;
+         ++column, ++i) {
+      const float value = image.values[i];
+      const float count = sheet.count.at(column, row);
+      if (std::isnan(value) || !(count > 1))
+        continue;
+      const double right =
+          static_cast<double>((mean(column + 1, row) - mean(column - 1, row)) / 2);
+      const double down =
+          static_cast<double>((mean(column, row + 1) - mean(column, row - 1)) / 2);
+      if (std::isnan(right + down))
+        continue;
+      const double rest = static_cast<double>(
+          (sheet.sum.at(column, row) - value) / (count - 1) - value);
+      const Eigen::Vector3d ray = chart.origin +
+                                  (column + 0.5) * level.block * chart.texel_u +
+                                  (row + 0.5) * level.block * chart.texel_v - eye;
+      // levels that a motion of the place in space changes here
+      Eigen::Vector3d slope = right * u + down * v;
+      slope -= slope.dot(ray) * lifted;
+      Vector6d of_motion;
+      of_motion << ray.cross(slope), slope;
+      own.add(of_motion, rest, std::min(1.0, robust / std::max(std::abs(rest), 1e-9)));
+      own.cost += std::min(rest * rest, 4 * robust * robust);
+      ++own.count;
+    }
 }
 
-/** Moves each camera by a step of Gauss-Newton.
- * \return mean of what was left before */
-double
-step(const std::vector<SheetImages>& sheets,
-     std::int32_t block,
-     bool moves,
-     std::vector<MovedCamera>& cameras)
+/** Sets what a level says about the cameras. */
+void
+setEquations(const std::vector<MovedCamera>& cameras, Level& level)
 {
-  std::vector<std::map<std::int32_t, Equations>> of_sheets(sheets.size());
-  oneapi::tbb::parallel_for(std::size_t{0}, sheets.size(), [&](std::size_t s) {
-    addEquations(sheets[s], block, cameras, of_sheets[s]);
+  const std::size_t views = level.views.size();
+  oneapi::tbb::parallel_for(std::size_t{0}, views, [&](std::size_t v) {
+    SheetView& view = level.views[v];
+    moveImage(level, cameras[view.view], view);
     pollRun();
   });
-  std::map<std::int32_t, Equations> all;
-  for (const auto& of_sheet : of_sheets)
-    for (const auto& [view, equations] : of_sheet)
-      all[view].add(equations);
-  constexpr double damping = 0.8; // the others move too
-  constexpr double level = 100, far = 0.05,
-                   much = 0.02; // prior: levels, metres, radians
-  Vector6d prior;
-  prior.head<3>().setConstant(level * level / (much * much));
-  prior.tail<3>().setConstant(level * level / (far * far));
+  std::vector<std::size_t> begins(level.sheets.size() + 1);
+  for (const SheetView& view : level.views)
+    ++begins[view.sheet + 1];
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  oneapi::tbb::parallel_for(std::size_t{0}, level.sheets.size(), [&](std::size_t s) {
+    sumViews(level, s, begins[s], begins[s + 1]);
+  });
+  oneapi::tbb::parallel_for(std::size_t{0}, views, [&](std::size_t v) {
+    SheetView& view = level.views[v];
+    setEquations(level, cameras[view.view], view);
+    pollRun();
+  });
+}
+
+/** \return mean square of what is left */
+double
+costOf(const Level& level)
+{
   double cost = 0, count = 0;
-  for (auto& [view, own] : all) {
-    cost += own.cost;
-    count += own.count;
-    if (!moves)
-      continue;
-    MovedCamera& camera = cameras[static_cast<std::size_t>(view)];
-    const Eigen::AngleAxisd turned(camera.move.linear());
-    const Eigen::Vector3d eye = camera.move * camera.eye;
-    Vector6d total;
-    total << turned.angle() * turned.axis(), eye - camera.eye;
-    own.matrix.diagonal() += prior;
-    own.right -= prior.cwiseProduct(total);
-    const Vector6d motion = damping * own.matrix.ldlt().solve(own.right);
-    const double angle = motion.head<3>().norm();
-    if (!motion.allFinite())
-      continue;
-    Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
-    if (angle > 0)
-      turn.linear() =
-          Eigen::AngleAxisd(angle, motion.head<3>() / angle).toRotationMatrix();
-    camera.move = Eigen::Translation3d(eye + motion.tail<3>()) * turn *
-                  Eigen::Translation3d(-eye) * camera.move;
+  for (const SheetView& view : level.views) {
+    cost += view.equations.cost;
+    count += view.equations.count;
   }
   return count > 0 ? cost / count : 0;
+}
+
+/** Moves a camera by a step of Gauss-Newton. */
+void
+moveCamera(Equations equations, MovedCamera& camera)
+{
+  constexpr double damping = 0.8;           // the others move too
+  constexpr double prior_rest = 100;        // levels of brightness
+  constexpr double far = 0.05, much = 0.02; // metres, radians
+  Vector6d prior;
+  prior.head<3>().setConstant(prior_rest * prior_rest / (much * much));
+  prior.tail<3>().setConstant(prior_rest * prior_rest / (far * far));
+  const Eigen::AngleAxisd turned(camera.move.linear());
+  const Eigen::Vector3d eye = camera.move * camera.eye;
+  Vector6d total;
+  total << turned.angle() * turned.axis(), eye - camera.eye;
+  equations.matrix.diagonal() += prior;
+  equations.right -= prior.cwiseProduct(total);
+  const Matrix6d matrix = equations.matrix.selfadjointView<Eigen::Upper>();
+  const Vector6d motion = damping * matrix.ldlt().solve(equations.right);
+  const double angle = motion.head<3>().norm();
+  if (!motion.allFinite())
+    return;
+  Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
+  if (angle > 0)
+    turn.linear() =
+        Eigen::AngleAxisd(angle, motion.head<3>() / angle).toRotationMatrix();
+  camera.move = Eigen::Translation3d(eye + motion.tail<3>()) * turn *
+                Eigen::Translation3d(-eye) * camera.move;
+}
+
+/** Moves all cameras until what is left hardly falls any more.
+ * \return its mean square */
+double
+settle(Level& level, std::vector<MovedCamera>& cameras)
+{
+  constexpr int max_steps = 6;
+  constexpr double hardly = 0.99;
+  std::vector<MovedCamera> best = cameras;
+  double least = std::numeric_limits<double>::infinity();
+  for (int steps = 0;; ++steps) {
+    setEquations(cameras, level);
+    const double cost = costOf(level);
+    const bool is_settled = !(cost < hardly * least) || steps == max_steps;
+    if (cost < least) {
+      least = cost;
+      best = cameras;
+    }
+    if (is_settled)
+      break;
+    std::map<std::size_t, Equations> of_cameras;
+    for (const SheetView& view : level.views)
+      of_cameras[view.view].add(view.equations);
+    for (const auto& [view, equations] : of_cameras)
+      moveCamera(equations, cameras[view]);
+  }
+  cameras = std::move(best);
+  return least;
 }
 
 } // namespace
@@ -337,137 +368,23 @@ alignedMoves(const std::vector<Canvas>& canvases,
              const std::vector<double>& gains)
 {
   constexpr std::int32_t finest = 2, coarsest = 16; // texels of a block
-  constexpr int rounds = 6;
   constexpr double clearly = 0.95;
-  std::vector<std::size_t> planes;
-  for (std::size_t s = 0; s < sheets.size(); ++s)
-    if (canvases[sheets[s].begin()].surface.plane())
-      planes.push_back(s);
-  std::vector<std::vector<SheetImages>> levels(1);
-  levels.front().resize(planes.size());
-  oneapi::tbb::parallel_for(std::size_t{0}, planes.size(), [&](std::size_t p) {
-    const Sheet& sheet = sheets[planes[p]];
-    levels.front()[p] = imagesOf(canvases[sheet.begin()], sheet, gains);
-  });
-  for (std::int32_t block = 2 * finest; block <= coarsest; block *= 2) {
-    std::vector<SheetImages> coarse = levels.back();
-    for (SheetImages& images : coarse)
-      for (auto& [view, image] : images.views)
-        image = halved(image);
-    levels.push_back(std::move(coarse));
-  }
+  std::vector<Level> levels{levelOf(canvases, sheets, finest, gains)};
+  while (levels.back().block < coarsest)
+    levels.push_back(halved(levels.back()));
   std::vector<MovedCamera> cameras;
   for (const Eigen::Vector3d& eye : eyes)
     cameras.push_back({eye});
-  const double before = step(levels.front(), finest, false, cameras);
-  std::int32_t block = coarsest;
-  for (auto level = levels.rbegin(); level != levels.rend(); ++level, block /= 2)
-    for (int round = 0; round < rounds; ++round)
-      step(*level, block, true, cameras);
-  const double after = step(levels.front(), finest, false, cameras);
+  setEquations(cameras, levels.front());
+  const double before = costOf(levels.front());
+  double after = before;
+  for (auto level = levels.rbegin(); level != levels.rend(); ++level)
+    after = settle(*level, cameras);
   std::vector<Eigen::Isometry3d> moves;
   if (after < clearly * before)
     for (const MovedCamera& camera : cameras)
       moves.push_back(camera.move);
   return moves;
-}
-
-namespace {
-
-const Sample*
-seenBy(std::int32_t view, const Canvas::Samples& samples)
-{
-  for (const Sample& sample : samples)
-    if (sample.weight > 0 && sample.view == view)
-      return &sample;
-  return nullptr;
-}
-
-/** Bilinear between the samples of a view; nothing if it has not seen the texel there. */
-std::optional<std::array<std::uint8_t, 3>>
-colorBetween(const Sheet& sheet, std::int32_t view, const Eigen::Vector2d& place)
-{
-  const Eigen::Vector2d middle = place.array() - 0.5;
-  const Eigen::Vector2d corner = middle.array().floor();
-  const Eigen::Vector2d share = middle - corner;
-  std::array<double, 3> sums{};
-  double shares = 0;
-  for (const int r : {0, 1})
-    for (const int c : {0, 1}) {
-      const double column = corner.x() + c, row = corner.y() + r;
-      if (!(column >= 0 && row >= 0 && column < sheet.width() && row < sheet.height()))
-        continue;
-      const Sample* const sample =
-          seenBy(view,
-                 sheet.samplesOf(sheet.placeOf(static_cast<std::int32_t>(column),
-                                               static_cast<std::int32_t>(row))));
-      if (!sample)
-        continue;
-      const double own =
-          (c ? share.x() : 1 - share.x()) * (r ? share.y() : 1 - share.y());
-      shares += own;
-      for (std::size_t k = 0; k < 3; ++k)
-        sums[k] += own * sample->color[k];
-    }
-  if (!(shares > 0.5))
-    return std::nullopt;
-  std::array<std::uint8_t, 3> color;
-  for (std::size_t k = 0; k < 3; ++k)
-    color[k] = static_cast<std::uint8_t>(std::lround(sums[k] / shares));
-  return color;
-}
-
-/** The samples of a texel after the cameras were moved. */
-Canvas::Samples
-movedSamples(const Sheet& sheet,
-             const SheetPlane& surface,
-             const Eigen::Vector2i& texel,
-             const std::vector<Eigen::Isometry3d>& inverse_moves,
-             const std::vector<Eigen::Vector3d>& eyes)
-{
-  Canvas::Samples result{};
-  std::size_t count = 0;
-  const Eigen::Vector3d place = middleOf(surface.chart, texel.x(), texel.y());
-  for (const Sample& sample : sheet.samplesOf(sheet.placeOf(texel.x(), texel.y()))) {
-    if (!(sample.weight > 0))
-      break;
-    const auto view = static_cast<std::size_t>(sample.view);
-    const auto color = colorBetween(
-        sheet, sample.view, surface.sourceOf(place, eyes[view], inverse_moves[view]));
-    if (color)
-      result[count++] = {sample.weight, sample.view, *color};
-  }
-  return result;
-}
-
-} // namespace
-
-void
-moveSamples(const std::vector<Eigen::Isometry3d>& moves,
-            const std::vector<Eigen::Vector3d>& eyes,
-            const std::vector<Sheet>& sheets,
-            std::vector<Canvas>& canvases)
-{
-  std::vector<Eigen::Isometry3d> inverse_moves;
-  for (const Eigen::Isometry3d& move : moves)
-    inverse_moves.push_back(move.inverse());
-  for (const Sheet& sheet : sheets) {
-    if (!canvases[sheet.begin()].surface.plane())
-      continue;
-    const SheetPlane surface = planeOf(canvases[sheet.begin()], sheet);
-    std::vector<LargeVector<Canvas::Samples>> moved;
-    for (std::size_t c = sheet.begin(); c < sheet.end(); ++c)
-      moved.emplace_back(canvases[c].samples.size());
-    oneapi::tbb::parallel_for(std::int32_t{0}, sheet.height(), [&](std::int32_t row) {
-      for (std::int32_t column = 0; column < sheet.width(); ++column) {
-        const Sheet::Place at = sheet.placeOf(column, row);
-        moved[at.canvas - sheet.begin()][at.texel] =
-            movedSamples(sheet, surface, {column, row}, inverse_moves, eyes);
-      }
-    });
-    for (std::size_t c = sheet.begin(); c < sheet.end(); ++c)
-      canvases[c].samples = std::move(moved[c - sheet.begin()]);
-  }
 }
 
 } // namespace pcl::acmap::texturing

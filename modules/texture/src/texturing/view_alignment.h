@@ -22,12 +22,4 @@ alignedMoves(const std::vector<Canvas>& canvases,
              const std::vector<Eigen::Vector3d>& eyes,
              const std::vector<double>& gains);
 
-/** Moves the samples of all planes on their texels, as if the cameras had been moved. Samples of
- * texels that a view has not seen any more are lost. */
-void
-moveSamples(const std::vector<Eigen::Isometry3d>& moves,
-            const std::vector<Eigen::Vector3d>& eyes,
-            const std::vector<Sheet>& sheets,
-            std::vector<Canvas>& canvases);
-
 } // namespace pcl::acmap::texturing

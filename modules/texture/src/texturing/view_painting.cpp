@@ -25,7 +25,7 @@ constexpr int near_reach = 2, far_reach = 4;
 /** The pixels that see a surface are in this rectangle. */
 using PixelBox = Eigen::AlignedBox<double, 2>;
 
-/** \param[in] seen as \ref Painter takes it
+/** \param[in] seen as \ref visibleSurfaces takes it
  * \return of each surface, with that border in which a texel may still be visible */
 std::vector<PixelBox>
 boxesOf(const std::vector<std::int32_t>& seen, int width, std::size_t surfaces)
@@ -45,27 +45,89 @@ boxesOf(const std::vector<std::int32_t>& seen, int width, std::size_t surfaces)
   return boxes;
 }
 
+/** The surface that a pixel shows, and how surely, 0 to 1. */
+struct VisibleSurface {
+  std::int32_t surface = nothing;
+  float visible = 0;
+};
+
+/** The only surface that the pixels see at a distance around one; \ref nothing if they have no
+ * depth, \ref something_else if there are several. */
+std::int32_t
+surfaceAround(
+    const std::vector<std::int32_t>& seen, int width, int column, int row, int reach)
+{
+  const int height = static_cast<int>(seen.size()) / width;
+  std::int32_t only = nothing;
+  for (int r = row - reach; r <= row + reach; r += reach)
+    for (int c = column - reach; c <= column + reach; c += reach) {
+      const std::int32_t here = seen[static_cast<std::size_t>(
+          std::clamp(r, 0, height - 1) * width + std::clamp(c, 0, width - 1))];
+      if (here == nothing || here == only)
+        continue;
+      if (only != nothing || here == something_else)
+        return something_else;
+      only = here;
+    }
+  return only;
+}
+
+/** What the pixels show: a surface if the depth around a pixel belongs to it, less surely if the
+ * nearest depth is farther away; none at depth edges and where the depth belongs to something
+ * else: texels there are better filled from the inside.
+ * \param[in] seen for each pixel the number of the surface that it sees, \ref something_else, or
+ * \ref nothing if it has no depth */
+std::vector<VisibleSurface>
+visibleSurfaces(const std::vector<std::int32_t>& seen, int width)
+{
+  constexpr float unmeasured = 0.3F;
+  std::vector<VisibleSurface> visible(seen.size());
+  parallelForChunks(seen.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const int column = static_cast<int>(i) % width;
+      const int row = static_cast<int>(i) / width;
+      for (const int reach : {near_reach, far_reach}) {
+        const std::int32_t surface = surfaceAround(seen, width, column, row, reach);
+        if (surface >= 0)
+          visible[i] = {surface, reach == far_reach ? unmeasured : 1};
+        if (surface != nothing)
+          break;
+      }
+    }
+  });
+  return visible;
+}
+
 /** Textures one canvas with one view. */
 class Painter {
 public:
-  /** \param[in] seen for each pixel the number of the surface that it sees,
-   * \ref something_else, or \ref nothing if it has no depth
+  /** \param[in] seen, visible of each pixel (\ref visibleSurfaces)
    * \param[in] box of the pixels that may colour the canvas */
   Painter(const ColoredView& view,
           const Pinhole& camera,
           std::int32_t number,
           const std::vector<std::int32_t>& seen,
+          const std::vector<VisibleSurface>& visible,
           const PixelBox& box,
           Canvas& canvas)
   : view_(view)
   , camera_(camera)
   , number_(number)
   , seen_(seen)
+  , visible_(visible)
   , box_(box)
   , canvas_(canvas)
   , height_(static_cast<int>(view.points.size()) / view.width)
   , T_camera_map_(view.T_map_camera.inverse())
-  {}
+  , texel_width_(canvas.surface.texelWidth())
+  {
+    if (!isFlat())
+      return;
+    corner_ = T_camera_map_ * canvas.chart.origin;
+    right_ = T_camera_map_.linear() * canvas.chart.texel_u;
+    down_ = T_camera_map_.linear() * canvas.chart.texel_v;
+    distance_ = canvas.surface.distance(view.T_map_camera.translation());
+  }
 
   void
   paintRow(std::int32_t row)
@@ -75,25 +137,49 @@ public:
       const std::size_t texel = canvas_.index(column, row);
       if (canvas_.mask[texel] != TexelPlace::Inside)
         continue;
-      const Eigen::Vector3d middle = canvas_.surface.middleOf(column, row);
-      const Eigen::Vector3d point = T_camera_map_ * middle;
-      if (!(point.z() > min_depth) ||
-          !canvas_.surface.faces(view_.T_map_camera.translation(), middle))
+      const Eigen::Vector3d point = pointAt(column, row);
+      if (!(point.z() > min_depth))
         continue;
       const Eigen::Vector2d pixel = camera_.project(point);
       if (!isInside(pixel))
         continue;
-      const double visible = visibility(pixel);
-      if (!(visible > 0))
+      const VisibleSurface& shown = visible_[pixelAt(
+          static_cast<int>(pixel.x() + 0.5), static_cast<int>(pixel.y() + 0.5))];
+      if (shown.surface != static_cast<std::int32_t>(canvas_.number) ||
+          !faces(column, row))
         continue;
-      const auto weight = static_cast<float>(visible * quality(middle, point, pixel));
+      const auto weight = static_cast<float>(static_cast<double>(shown.visible) *
+                                             quality(column, row, point, pixel));
       if (weight > canvas_.samples[texel].back().weight) // else it would not be kept
-        canvas_.offer(texel, {weight, number_, meanColor(column, row, point)});
+        canvas_.offer(texel, {weight, number_, meanColor(column, row, point, pixel)});
     }
   }
 
 private:
   static constexpr double min_depth = 0.05; // metres
+
+  bool
+  isFlat() const
+  {
+    return canvas_.surface.plane() != nullptr;
+  }
+
+  /** Centre of a texel in the frame of the camera. */
+  Eigen::Vector3d
+  pointAt(double column, double row) const
+  {
+    return isFlat() ? Eigen::Vector3d(corner_ + (column + 0.5) * right_ +
+                                      (row + 0.5) * down_)
+                    : T_camera_map_ * canvas_.surface.middleOf(column, row);
+  }
+
+  /** Planes that look away are left out before. */
+  bool
+  faces(std::int32_t column, std::int32_t row) const
+  {
+    return isFlat() || canvas_.surface.faces(view_.T_map_camera.translation(),
+                                             canvas_.surface.middleOf(column, row));
+  }
 
   /** The columns of a row that may be in the box, from the first to the end. The row of a
    * plane is a straight line, of which each border of the box cuts a part off. */
@@ -101,10 +187,10 @@ private:
   columnsInView(std::int32_t row) const
   {
     const std::int32_t width = canvas_.chart.colors.width;
-    if (!canvas_.surface.plane())
+    if (!isFlat())
       return {0, width};
-    const Eigen::Vector3d start = T_camera_map_ * canvas_.surface.middleOf(0, row);
-    const Eigen::Vector3d stop = T_camera_map_ * canvas_.surface.middleOf(width, row);
+    const Eigen::Vector3d start = pointAt(0, row);
+    const Eigen::Vector3d stop = pointAt(width, row);
     const auto distances = [&](const Eigen::Vector3d& point) {
       const double x = camera_.fx * point.x() + camera_.cx * point.z();
       const double y = camera_.fy * point.y() + camera_.cy * point.z();
@@ -145,71 +231,53 @@ private:
            static_cast<std::size_t>(c);
   }
 
-  /** 1 if the depth around a pixel belongs to this plane, less if the nearest depth is
-   * farther away; 0 at depth edges and where the depth belongs to something else: such
-   * texels are better filled from the inside. */
-  double
-  visibility(const Eigen::Vector2d& pixel) const
-  {
-    constexpr double unmeasured = 0.3;
-    const int column = static_cast<int>(std::lround(pixel.x()));
-    const int row = static_cast<int>(std::lround(pixel.y()));
-    for (const int reach : {near_reach, far_reach}) {
-      int own = 0, others = 0;
-      for (int r = -reach; r <= reach; r += reach)
-        for (int c = -reach; c <= reach; c += reach)
-          count(pixelAt(column + c, row + r), own, others);
-      if (others > 0)
-        return 0;
-      if (own > 0)
-        return reach == far_reach ? unmeasured : 1;
-    }
-    return 0;
-  }
-
-  void
-  count(std::size_t pixel, int& own, int& others) const
-  {
-    if (seen_[pixel] == static_cast<std::int32_t>(canvas_.number))
-      ++own;
-    else if (seen_[pixel] != nothing)
-      ++others;
-  }
-
   /** Area of the texel in the image, up to a constant factor; reduced towards the image
    * border. */
   double
-  quality(const Eigen::Vector3d& middle,
+  quality(std::int32_t column,
+          std::int32_t row,
           const Eigen::Vector3d& point,
           const Eigen::Vector2d& pixel) const
   {
-    const Eigen::Vector3d ray = middle - view_.T_map_camera.translation();
-    const double range = ray.norm();
-    const double slant = std::abs(canvas_.surface.normalAt(middle).dot(ray)) / range;
     constexpr double fade = 0.1; // fraction of the image width
     const double from_rim = std::min(
         {pixel.x(), pixel.y(), view_.width - 1 - pixel.x(), height_ - 1 - pixel.y()});
     const double rim = std::clamp(from_rim / (fade * view_.width), 0.01, 1.0);
+    const double slant = distanceAlongNormal(column, row) / point.norm();
     return slant * rim / (point.z() * point.z());
+  }
+
+  /** Of the camera from the tangent plane at a texel. */
+  double
+  distanceAlongNormal(std::int32_t column, std::int32_t row) const
+  {
+    if (isFlat())
+      return distance_;
+    const Eigen::Vector3d middle = canvas_.surface.middleOf(column, row);
+    return std::abs(canvas_.surface.normalAt(middle).dot(
+        middle - view_.T_map_camera.translation()));
   }
 
   /** Mean over the pixels of the texel, as a texel may cover several of them; ignores
    * pixels that see something else. */
   Rgb
-  meanColor(std::int32_t column, std::int32_t row, const Eigen::Vector3d& point) const
+  meanColor(std::int32_t column,
+            std::int32_t row,
+            const Eigen::Vector3d& point,
+            const Eigen::Vector2d& middle) const
   {
-    const double texel = canvas_.surface.texelWidth();
-    const double pixels = texel * camera_.fx / point.z();
+    const double pixels = texel_width_ * camera_.fx / point.z();
     const int side = static_cast<int>(std::clamp(std::round(pixels), 1.0, 5.0));
     Sums sums{};
     int count = 0;
     for (int v = 0; v < side; ++v)
       for (int u = 0; u < side; ++u) {
         const Eigen::Vector3d place =
-            T_camera_map_ * canvas_.surface.middleOf(column + (u + 0.5) / side - 0.5,
-                                                     row + (v + 0.5) / side - 0.5);
+            pointAt(column + (u + 0.5) / side - 0.5, row + (v + 0.5) / side - 0.5);
+        if (!(place.z() > min_depth))
+          continue;
         const Eigen::Vector2d pixel = camera_.project(place);
-        if (!(place.z() > min_depth) || !isInside(pixel))
+        if (!isInside(pixel))
           continue;
         const Corners corners = cornersOf(pixel);
         if (seesOthers(corners))
@@ -220,13 +288,12 @@ private:
         ++count;
       }
     if (count == 0) {
-      const Eigen::Vector2d pixel = camera_.project(point);
-      sums = interpolated(pixel, cornersOf(pixel));
+      sums = interpolated(middle, cornersOf(middle));
       count = 1;
     }
     Rgb color;
     for (std::size_t k = 0; k < 3; ++k)
-      color[k] = static_cast<std::uint8_t>(std::lround(sums[k] / count));
+      color[k] = static_cast<std::uint8_t>(sums[k] / count + 0.5);
     return color;
   }
 
@@ -249,10 +316,10 @@ private:
   bool
   seesOthers(const Corners& corners) const
   {
-    int own = 0, others = 0;
-    for (const std::size_t pixel : corners)
-      count(pixel, own, others);
-    return others > 0;
+    return std::any_of(corners.begin(), corners.end(), [&](std::size_t pixel) {
+      return seen_[pixel] != nothing &&
+             seen_[pixel] != static_cast<std::int32_t>(canvas_.number);
+    });
   }
 
   Sums
@@ -274,10 +341,16 @@ private:
   const Pinhole& camera_;
   std::int32_t number_;
   const std::vector<std::int32_t>& seen_;
+  const std::vector<VisibleSurface>& visible_;
   const PixelBox& box_;
   Canvas& canvas_;
   int height_; ///< pixels
   Eigen::Isometry3d T_camera_map_;
+  double texel_width_; ///< metres
+  // of a plane, in the frame of the camera
+  Eigen::Vector3d corner_ = Eigen::Vector3d::Zero();                ///< of the chart
+  Eigen::Vector3d right_ = Eigen::Vector3d::Zero(), down_ = right_; ///< a texel
+  double distance_ = 0;                                             ///< of the plane
 };
 
 } // namespace
@@ -300,14 +373,15 @@ paintPinhole(const ColoredView& view,
       else
         seen[i] = view.points[i].allFinite() ? something_else : nothing;
   });
+  const std::vector<VisibleSurface> visible = visibleSurfaces(seen, view.width);
   const std::vector<PixelBox> boxes =
       boxesOf(seen, view.width, canvases.empty() ? 0 : canvases.back().number + 1);
   oneapi::tbb::parallel_for(std::size_t{0}, canvases.size(), [&](std::size_t c) {
     Canvas& canvas = canvases[c];
     const PixelBox& box = boxes[canvas.number];
-    if (box.isEmpty())
+    if (box.isEmpty() || !canvas.surface.faces(view.T_map_camera.translation()))
       return;
-    Painter painter(view, camera, number, seen, box, canvas);
+    Painter painter(view, camera, number, seen, visible, box, canvas);
     oneapi::tbb::parallel_for(std::int32_t{0},
                               canvas.chart.colors.height,
                               [&](std::int32_t row) { painter.paintRow(row); });
