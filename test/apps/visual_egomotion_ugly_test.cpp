@@ -57,14 +57,14 @@ TEST_F(EgomotionFaults, OneObservationHasNoMotion)
 TEST_F(EgomotionFaults, ObservationsThatCannotBeUsed)
 {
   refuseWith([](PCLPointCloud2& cloud) { dropField(cloud, "rgb"); },
-             "observation_0003.pcd: has no colour");
+             "observation_0003.pcd: has no image, the observations before have");
   refuseWith(
       [](PCLPointCloud2& cloud) {
         cloud.width *= cloud.height;
         cloud.height = 1;
         cloud.row_step = cloud.width * cloud.point_step;
       },
-      "observation_0003.pcd: is not organized");
+      "observation_0003.pcd: has no image, the observations before have");
   refuseWith(
       [](PCLPointCloud2& cloud) {
         cloud.height /= 2;

@@ -1,5 +1,6 @@
 #include "bench.h"
 #include "bench_data.h"
+#include "laser_recording.h"
 #include "run_tool.h"
 #include "temporary_folder.h"
 
@@ -48,33 +49,6 @@ withPoses(const Recording& recording, const Poses& poses)
   return recording.views.withPoses(places, {recording.trajectory.stamps, poses});
 }
 
-/** The scans of the carried laser, metres. */
-ObservationSequence
-loadLaser(const std::string& folder)
-{
-  constexpr float unit = 1.0F / 500; // metres
-  const Trajectory trajectory =
-      loadTrajectory(pathOfData(folder + "/trajectory.txt").value());
-  std::vector<std::shared_ptr<const PointCloudFile>> clouds;
-  for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
-    const std::string number = std::to_string(i);
-    const PointCloudFile scan = loadMaybePacked(
-        pathOfData(folder + "/scan_" + std::string(3 - number.size(), '0') + number +
-                   ".ply.xz")
-            .value());
-    PointCloud<PointXYZ> metres;
-    const PointView points = scan.points();
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Eigen::Vector3f point = unit * points[k];
-      metres.push_back({point.x(), point.y(), point.z()});
-    }
-    const auto cloud = std::make_shared<PointCloudFile>();
-    toPCLPointCloud2(metres, cloud->cloud);
-    clouds.push_back(cloud);
-  }
-  return ObservationSequence(std::move(clouds), trajectory);
-}
-
 std::vector<Recording>
 realRecordings()
 {
@@ -84,9 +58,8 @@ realRecordings()
     recordings.push_back(
         recordingOf("redkitchen", ObservationSequence(recorded, recorded.cameras())));
   }
-  const std::string laser = "C_sequence/livox_scans_60";
-  if (pathOfData(laser + "/trajectory.txt"))
-    recordings.push_back(recordingOf("livox", loadLaser(laser)));
+  if (const auto scans = loadLaserScans())
+    recordings.push_back(recordingOf("livox", *scans));
   return recordings;
 }
 

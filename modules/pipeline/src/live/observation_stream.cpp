@@ -158,7 +158,7 @@ ObservationStream::process(Item& item)
   }
   odometry_.setProgressCallback(goes_on);
   if (!item.T_map_camera)
-    odometry_.add(odometryView(index, name, item.cloud), name);
+    odometry_.add(odometryView(index, item.cloud), name);
   ConsolidatedObservation consolidated;
   if (steps_.consolidates)
     consolidated = steps_.consolidation.consolidate(*item.cloud, name);

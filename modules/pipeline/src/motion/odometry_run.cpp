@@ -1,5 +1,7 @@
 #include "motion/odometry_run.h"
 
+#include "motion/scan_matching.h"
+
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/quantile.h>
@@ -83,30 +85,23 @@ isProbed(std::size_t index)
 } // namespace
 
 OdometryView
-odometryView(std::size_t index,
-             const std::string& name,
-             std::shared_ptr<const PointCloudFile> observation)
+odometryView(std::size_t index, std::shared_ptr<const PointCloudFile> observation)
 {
   OdometryView view;
   view.index = index;
   view.file = std::move(observation);
   const PCLPointCloud2& cloud = view.file->cloud;
-  if (cloud.height < 2)
-    throw InputFileException(
-        name +
-        ": is not organized, it has one row of points only, by which no poses are "
-        "found: write those of the folder to trajectory.txt or poses.txt in it, or "
-        "merge clouds that are in one frame into one file");
-  if (!findColor(cloud))
-    throw InputFileException(name + ": has no colour, a field rgb is needed");
-  view.cloud = pointsWithColor(cloud);
+  if (cloud.height > 1 && findColor(cloud))
+    view.cloud = pointsWithColor(cloud);
+  else
+    view.surface = std::make_shared<ScanSurface>(view.file->points());
   return view;
 }
 
 OdometryView
 odometryView(const ObservationSequence& sequence, std::size_t index)
 {
-  return odometryView(index, sequence.path(index), sequence.load(index).file);
+  return odometryView(index, sequence.load(index).file);
 }
 
 OdometryRun::OdometryRun(const VisualOdometry& settings)
@@ -141,16 +136,31 @@ OdometryRun::setProgressCallback(ProgressCallback progress)
 }
 
 void
+OdometryRun::requireSameKind(const OdometryView& view, const std::string& name)
+{
+  if (view.surface && egomotion_.getPaperMode())
+    throw InputFileException(name +
+                             ": has no image, which the paper's egomotion needs: "
+                             "an organized cloud with a field rgb");
+  const std::string size =
+      view.surface ? "no image" : sizeText(*view.cloud) + " points";
+  if (size_.empty())
+    size_ = size;
+  if (size != size_)
+    throw InputFileException(name + ": has " + size +
+                             ", the observations before have " + size_);
+}
+
+void
 OdometryRun::add(OdometryView view, const std::string& name)
 {
-  if (size_.empty())
-    size_ = sizeText(*view.cloud);
-  if (sizeText(*view.cloud) != size_)
-    throw InputFileException(name + ": has " + sizeText(*view.cloud) +
-                             " points, the observations before have " + size_ +
-                             " points");
+  requireSameKind(view, name);
+  if (view.surface) {
+    result_.model = MotionModel::Rigid;
+    chooses_model_ = false;
+  }
   result_.poses.resize(view.index + 1);
-  if (of_step_.getMotionModel() == MotionModel::Planar && last_.cloud &&
+  if (of_step_.getMotionModel() == MotionModel::Planar && view.cloud && last_.cloud &&
       isProbed(view.index))
     probeFreeMotion(view);
   last_ = view;
@@ -216,10 +226,45 @@ OdometryRun::probeFreeMotion(const OdometryView& now)
   result_.free.free += isFree(*estimate, tilts_.back(), rises_.back());
 }
 
+std::optional<EgomotionEstimate>
+OdometryRun::estimateOfSurfaces(const OdometryView& now,
+                                const OdometryView& before,
+                                EgomotionReport& report)
+{
+  constexpr double farther = 3;         // than a camera, whose views must overlap
+  constexpr double max_translation = 5; // metres, times that; the starts are a lattice
+  constexpr std::size_t max_steps = 2;
+  const std::size_t steps = now.index - before.index;
+  if (steps > max_steps) { // with little overlap, a place that looks alike fits better
+    report.outcome = EgomotionOutcome::Inconsistent;
+    report.reason = "scans that are more than two apart are not compared";
+    return std::nullopt;
+  }
+  Eigen::Isometry3d guess = Eigen::Isometry3d::Identity();
+  for (std::size_t step = 0; step < steps; ++step)
+    guess = guess * last_step_;
+  const std::optional<EgomotionEstimate> found = matchScans(
+      *now.surface,
+      *before.surface,
+      guess,
+      {farther * std::min(egomotion_.getMaximumTranslation(), max_translation),
+       egomotion_.getMaximumRotation()},
+      report);
+  if (found && steps == 1)
+    last_step_ = found->T_target_source;
+  return found;
+}
+
 std::optional<Eigen::Isometry3d>
 OdometryRun::estimate(const OdometryView& now, const OdometryView& before)
 {
   setReach(static_cast<double>(now.index - before.index), of_step_, egomotion_);
+  if (now.surface) {
+    EgomotionReport report;
+    const auto found = estimateOfSurfaces(now, before, report);
+    result_.pairs.push_back({now.index, before.index, report, found});
+    return found ? std::optional(found->T_target_source) : std::nullopt;
+  }
   egomotion_.setInputSource(now.cloud);
   egomotion_.setInputTarget(before.cloud);
   const std::optional<EgomotionEstimate> found = egomotion_.compute();

@@ -11,13 +11,10 @@
 
 namespace pcl::acmap {
 
-/** \brief An observation as input of the egomotion.
- * \param[in] name for messages
- * \throws InputFileException if it is not organized, or has no colour */
+/** \brief An observation as input of the egomotion: with its image if it is organized and has
+ * colours, otherwise with its surface. */
 OdometryView
-odometryView(std::size_t index,
-             const std::string& name,
-             std::shared_ptr<const PointCloudFile> observation);
+odometryView(std::size_t index, std::shared_ptr<const PointCloudFile> observation);
 
 /** \brief The same for an observation that is read from its sequence. */
 OdometryView
@@ -41,7 +38,8 @@ public:
 
   /** \brief Adds the next observation.
    * \param[in] view with the number of views before as its index
-   * \throws InputFileException if its size is not that of the first one
+   * \throws InputFileException if its size is not that of the first one, only one of both has
+   * an image, or it has none in the paper's mode
    * \throws CancelledException if the progress callback stopped it */
   void
   add(OdometryView view, const std::string& name);
@@ -73,6 +71,14 @@ private:
   std::optional<Eigen::Isometry3d>
   estimate(const OdometryView& now, const OdometryView& before);
 
+  std::optional<EgomotionEstimate>
+  estimateOfSurfaces(const OdometryView& now,
+                     const OdometryView& before,
+                     EgomotionReport& report);
+
+  void
+  requireSameKind(const OdometryView& view, const std::string& name);
+
   void
   keep(const OdometryView& view, const Eigen::Isometry3d& T_map_camera);
 
@@ -81,10 +87,11 @@ private:
   VisualOdometry::PairCallback pair_callback_;
   VisualOdometry::PoseCallback pose_callback_;
   VisualOdometryResult result_;
-  std::string size_;                ///< of the first observation
+  std::string size_;                ///< of the first observation's image
   std::vector<OdometryView> first_; ///< until the motion model is chosen
   bool chooses_model_;
-  OdometryView last_;                 ///< without its file
+  OdometryView last_;                                           ///< without its file
+  Eigen::Isometry3d last_step_ = Eigen::Isometry3d::Identity(); ///< of surfaces
   std::vector<double> tilts_, rises_; ///< of \ref FreeMotion, radians and metres
   PoseChain chain_;
 };

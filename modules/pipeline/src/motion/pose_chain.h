@@ -14,11 +14,15 @@
 
 namespace pcl::acmap {
 
-/** \brief An observation of a sequence as input of pcl::VisualEgomotion. */
+class ScanSurface;
+
+/** \brief An observation of a sequence as input of pcl::VisualEgomotion, or of
+ * \ref matchScans if it has no image. */
 struct OdometryView {
-  std::size_t index = 0;                      ///< index in the sequence
-  std::shared_ptr<const PointCloudFile> file; ///< camera frame, metres
-  PointCloud<PointXYZRGBSigma>::ConstPtr cloud;
+  std::size_t index = 0;                        ///< index in the sequence
+  std::shared_ptr<const PointCloudFile> file;   ///< camera frame, metres
+  PointCloud<PointXYZRGBSigma>::ConstPtr cloud; ///< null without an image
+  std::shared_ptr<const ScanSurface> surface;   ///< null with one
 };
 
 /** \brief Joins views to the last ones that have a pose, one after the other.

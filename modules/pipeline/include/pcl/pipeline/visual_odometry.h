@@ -114,6 +114,8 @@ visitFields(const VisualOdometryResult& result, Visitor&& visit)
  * freedom (\ref FreeMotion). Every observation is read once, and the next one is read
  * while the motion of the last one is estimated; three are kept in memory in addition
  * to the cache of the sequence.
+ * Observations without an image, of one row or without colours, are laid onto each other by
+ * their surfaces, with six degrees of freedom (doc/pipeline/visual_odometry.md).
  * \code
  * pcl::VisualOdometry odometry;
  * const pcl::VisualOdometryResult found =
@@ -192,8 +194,8 @@ public:
 
   /** \brief Estimates the poses of a sequence.
    * \return the poses; a sequence of fewer than two observations has none
-   * \throws InputFileException if an observation cannot be read, is not organized, has
-   * no colour, or differs in size from the first one
+   * \throws InputFileException if an observation cannot be read, or differs in size from the
+   * first one, or in whether it has an image; in paper mode if it has none
    * \throws CancelledException if the progress callback stopped it */
   VisualOdometryResult
   compute(const ObservationSequence& sequence);
