@@ -144,6 +144,7 @@ TEST_F(ArrivingViews, thatAreBrokenAreToldByTheNextCall)
   unorganized->cloud = clouds_[0]->cloud;
   unorganized->cloud.width *= unorganized->cloud.height;
   unorganized->cloud.height = 1;
+  mapping.setMode(MappingMode::Paper); // its egomotion needs images
   mapping.start();
   mapping.addObservation(std::shared_ptr<const PointCloudFile>(unorganized));
   CompactMap map;

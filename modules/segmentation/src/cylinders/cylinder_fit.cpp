@@ -287,9 +287,10 @@ fitCylinder(const std::vector<Sample>& samples, const Cylinder& start, double si
   const std::vector<Sample> some = thinned(samples, enough_to_approach);
   CylinderFit fit;
   fit.cylinder = start;
-  if (!approach(some, gate, max_steps, fit) || !approach(some, gate, max_steps, fit) ||
-      !approach(samples, gate, max_steps, fit))
-    return {};
+  for (const auto* const pool :
+       {&some, &some, &samples}) // steep samples change with it
+    if (!approach(*pool, gate, max_steps, fit))
+      return {};
   double squares = 0;
   for (const Sample& sample : steepSamples(samples, fit.cylinder)) {
     const Offset offset(fit.cylinder, sample);

@@ -51,7 +51,7 @@ colorBetween(const Sheet& sheet, std::int32_t view, const Eigen::Vector2d& place
     return std::nullopt;
   std::array<std::uint8_t, 3> color;
   for (std::size_t k = 0; k < 3; ++k)
-    color[k] = static_cast<std::uint8_t>(sums[k] / shares + 0.5);
+    color[k] = static_cast<std::uint8_t>(std::lround(sums[k] / shares));
   return color;
 }
 

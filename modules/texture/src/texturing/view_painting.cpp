@@ -143,8 +143,9 @@ public:
       const Eigen::Vector2d pixel = camera_.project(point);
       if (!isInside(pixel))
         continue;
-      const VisibleSurface& shown = visible_[pixelAt(
-          static_cast<int>(pixel.x() + 0.5), static_cast<int>(pixel.y() + 0.5))];
+      const VisibleSurface& shown =
+          visible_[pixelAt(static_cast<int>(std::lround(pixel.x())),
+                           static_cast<int>(std::lround(pixel.y())))];
       if (shown.surface != static_cast<std::int32_t>(canvas_.number) ||
           !faces(column, row))
         continue;
@@ -293,7 +294,7 @@ private:
     }
     Rgb color;
     for (std::size_t k = 0; k < 3; ++k)
-      color[k] = static_cast<std::uint8_t>(sums[k] / count + 0.5);
+      color[k] = static_cast<std::uint8_t>(std::lround(sums[k] / count));
     return color;
   }
 
