@@ -3,12 +3,12 @@
 #include "compact_mapping/map_run.h"
 #include "compact_mapping/map_stage.h"
 #include "compact_mapping/open_observations.h"
-#include "compact_mapping/report_page.h"
 #include "compact_mapping/run_ranks.h"
 #include "drawn_apart.h"
 #include "output_target.h"
 #include "pose_options.h"
 
+#include <pcl/pipeline/map_report.h>
 #include <pcl/pipeline/ranked_work.h>
 
 #include <algorithm>
@@ -96,7 +96,8 @@ run(Tool& tool, const ChainOptions& options)
       path && input.start == StartingPoint::PosedObservations)
     tellPath(*path, tool.log());
   tellChain(options, input.start, made.stages(), figures, tool.log());
-  saveReportPage(options.output + "/report.html", tool.fullReport(), options.output);
+  pcl::MapReport(jsonText(tool.fullReport()))
+      .savePage(options.output + "/report.html", options.output);
   if (made.missing())
     made.missing()->fail(options.output);
 }

@@ -1,9 +1,9 @@
 #include "command_line.h"
-#include "fields_json.h"
 #include "line_pattern/pattern_options.h"
 #include "output_target.h"
 
 #include <pcl/acquisition/pattern_window.h>
+#include <pcl/core/fields_json.h>
 #include <pcl/core/impl/size_text.h>
 
 #include <CLI/CLI.hpp>

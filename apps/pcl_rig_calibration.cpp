@@ -1,9 +1,9 @@
 #include "command_line.h"
-#include "fields_json.h"
 #include "output_target.h"
 #include "tool.h"
 
 #include <pcl/acquisition/trinocular_file_grabber.h>
+#include <pcl/core/fields_json.h>
 #include <pcl/core/rig_calibration.h>
 #include <pcl/stereo/rig_calibrator.h>
 

@@ -1,8 +1,8 @@
 #include "stereo_observation.h"
 
-#include "fields_json.h"
 #include "output_target.h"
 
+#include <pcl/core/fields_json.h>
 #include <pcl/core/image_file.h>
 #include <pcl/pipeline/observation_files.h>
 

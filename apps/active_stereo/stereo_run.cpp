@@ -1,10 +1,10 @@
 #include "stereo_observation.h"
 
-#include "fields_json.h"
 #include "memory.h"
 #include "output_target.h"
 
 #include <pcl/conversions.h>
+#include <pcl/core/fields_json.h>
 #include <pcl/core/impl/folder_entries.h>
 #include <pcl/core/rig_cameras.h>
 #include <pcl/core/trajectory.h>

@@ -1,8 +1,8 @@
 #include "video_cameras.h"
 
 #include "command_line.h"
-#include "fields_json.h"
 
+#include <pcl/core/fields_json.h>
 #include <pcl/video/camera_grabber.h>
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,8 @@
 #include "pose_options.h"
 
-#include "fields_json.h"
 #include "setter_option.h"
+
+#include <pcl/core/fields_json.h>
 
 #include <CLI/CLI.hpp>
 

@@ -2,6 +2,7 @@
 
 #include "exit_code.h"
 
+#include <pcl/core/fields_json.h>
 #include <pcl/core/output_file.h>
 
 #include <algorithm>
@@ -10,15 +11,6 @@
 namespace pcl::acmap {
 
 using Json = nlohmann::ordered_json;
-
-Json
-secondsOf(const Report& report)
-{
-  Json seconds = Json::object();
-  for (const auto& [step, time] : report.seconds)
-    seconds[step] = time;
-  return seconds;
-}
 
 Json
 jsonOf(const StageLog& log)
@@ -64,11 +56,16 @@ readJson(const std::string& path)
   return is_too_deep ? Json(Json::value_t::discarded) : json;
 }
 
+std::string
+jsonText(const Json& json, int indent)
+{
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 void
 saveJson(const std::string& path, const Json& json, int indent)
 {
-  const std::string text =
-      json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string text = jsonText(json, indent) + "\n";
   OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();

@@ -60,10 +60,6 @@ struct RunControls {
   std::function<void(const std::string& remark)> warn_at_once;
 };
 
-/** \brief The seconds of the steps of a stage. */
-nlohmann::ordered_json
-secondsOf(const Report& report);
-
 /** \brief Report as JSON: "seconds", "summary", "warnings", "details". */
 nlohmann::ordered_json
 jsonOf(const StageLog& log);
@@ -78,6 +74,11 @@ stageLogIn(const nlohmann::ordered_json& json);
  * than any run nests it */
 nlohmann::ordered_json
 readJson(const std::string& path);
+
+/** \brief A value as text, with replacements for invalid UTF-8.
+ * \param[in] indent below 0: in one line */
+std::string
+jsonText(const nlohmann::ordered_json& json, int indent = -1);
 
 /** \brief Writes a value as text, with replacements for invalid UTF-8.
  * \throws OutputFileException when it could not be written completely */

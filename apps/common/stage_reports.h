@@ -1,9 +1,9 @@
 #pragma once
 
-#include "fields_json.h"
 #include "stage_log.h"
 
 #include <pcl/core/cloud_assessment_types.h>
+#include <pcl/core/fields_json.h>
 #include <pcl/core/noise_scale.h>
 #include <pcl/filters/consolidation_types.h>
 #include <pcl/filters/depth_refinement_types.h>

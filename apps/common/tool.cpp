@@ -10,6 +10,7 @@
 
 #include <pcl/console/print.h>
 #include <pcl/core/build_config.h>
+#include <pcl/core/fields_json.h>
 #include <pcl/core/file_format.h>
 #include <pcl/core/impl/arguments.h>
 

@@ -1,7 +1,8 @@
 #include "chain_report.h"
 
-#include "compact_mapping/closing_lines.h"
 #include "compact_mapping/map_stage.h"
+
+#include <pcl/pipeline/map_report.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -160,7 +161,7 @@ tellChain(const ChainOptions& options,
   }
   details["pictures"] =
       picturesIn(options.output, map.value("tilt_deg", 0.0), options.planes.paper);
-  for (const auto& [name, value] : closingLines(details))
+  for (const auto& [name, value] : MapReport(jsonText(details)).summary())
     log.tell(name, value);
   for (const auto& [name, value] : stages.back().told.lines)
     if (name == "compactness")

@@ -4,7 +4,6 @@
 #include "cloud_labels.h"
 #include "drawn_apart.h"
 #include "entropy_rectification/pose_adjustment.h"
-#include "fields_json.h"
 #include "length_check.h"
 #include "live_map.h"
 #include "live_window.h"
@@ -15,6 +14,7 @@
 
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/exceptions.h>
+#include <pcl/core/fields_json.h>
 #include <pcl/core/impl/map_shift.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/pipeline/map_rows.h>
@@ -47,12 +47,6 @@ logIn(const std::string& told, const std::string& stage, const StageStore& store
     throw InputFileException(store.path(stage) +
                              ": is damaged; remove it, and the stage runs again");
   }
-}
-
-std::string
-textOf(const Json& json)
-{
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /** Every n-th point of a map, for display: at most a million points. */
@@ -165,7 +159,7 @@ MapRun::setInput(const MapInput& input)
   if (is_cloud)
     chain_.setInputCloud([this] { return loadCloud(); },
                          stateOfFile(options_.input) + " " +
-                             textOf(values_(input_group)));
+                             jsonText(values_(input_group)));
   else if (input.start == StartingPoint::Session || input.recorded)
     chain_.setFirstStage(observationStage(input));
   else
@@ -204,8 +198,8 @@ MapRun::observationStage(const MapInput& input)
                 is_session ? stateOf(options_.input, filesIn(options_.input))
                            : state.observations->fingerprint());
         key.add("options",
-                textOf(values_(is_session ? stereo_group : recording_group)) +
-                    (is_session ? "" : textOf(values_(bag_group))));
+                jsonText(values_(is_session ? stereo_group : recording_group)) +
+                    (is_session ? "" : jsonText(values_(bag_group))));
         key.add("scale", controls_.reader.getScale());
         if (const auto& shift = controls_.reader.getShift())
           key.add("shift", shiftText(*shift));
@@ -266,7 +260,7 @@ MapRun::mapStage(bool has_pictures, bool is_cloud)
     if (is_cloud) // what is stated of it is not used before the map
       values.update(values_(input_group));
     values.erase("--no-pictures");
-    key.add("options", textOf(values));
+    key.add("options", jsonText(values));
     key.add("pictures", has_pictures ? "yes" : "no");
   };
   stage.seconds = has_pictures ? 4.5 : 1.5;
@@ -316,7 +310,7 @@ MapRun::tell(const std::string& stage, const ChainState& state, OpenStage& open)
   }
   else
     tellPoses(stage, state, open, log);
-  return textOf(jsonOf(log));
+  return jsonText(jsonOf(log));
 }
 
 void
@@ -434,7 +428,7 @@ MapRun::replay()
     log_.warn(map_log_.report.remarks);
     throw;
   }
-  const StageNotes notes = {textOf(jsonOf(map_log_)), {}};
+  const StageNotes notes = {jsonText(jsonOf(map_log_)), {}};
   stages_.push_back({last_stage, std::move(map_log_), false, open.finish(notes)});
 }
 

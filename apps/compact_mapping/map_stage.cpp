@@ -1,12 +1,10 @@
 #include "map_stage.h"
 
 #include "drawn_apart.h"
-#include "quality_report.h"
 
-#include <pcl/core/fields.h>
 #include <pcl/core/impl/map_shift.h>
-#include <pcl/core/map_up.h>
 #include <pcl/core/surface_sentence.h>
+#include <pcl/pipeline/map_report.h>
 #include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/texture/floor_plan.h>
 #include <pcl/texture/map_ifc.h>
@@ -15,7 +13,6 @@
 #include <pcl/visualization/mesh_snapshot.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -116,110 +113,30 @@ filesOf(const OutputFolder& folder)
   return names;
 }
 
-/** \brief Reports the planes in the order of map.json, which has more details. */
-nlohmann::ordered_json
-jsonOfPlanes(const CompactMap& map)
-{
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (std::size_t id = 0; id < map.planes.size(); ++id) {
-    const PlanePatch& plane = map.planes[id];
-    const Eigen::Vector4d& n = plane.coefficients;
-    list.push_back({{"id", id},
-                    {"name", plane.label.name},
-                    {"role", nameIn(surface_role_names, plane.label.role)},
-                    {"size", {plane.label.size.x(), plane.label.size.y()}},
-                    {"description", describePlane(map, id)},
-                    {"coefficients", {n[0], n[1], n[2], n[3]}},
-                    {"area", plane.area},
-                    {"rmse", plane.rms},
-                    {"support", plane.support}});
-  }
-  return list;
-}
-
-/** \brief Reports and tells the rooms. */
 void
 tellRooms(const CompactMap& map, StageLog& log)
 {
   constexpr std::size_t max_told = 12;
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (std::size_t id = 0; id < map.rooms.size(); ++id) {
-    const MapRoom& room = map.rooms[id];
-    list.push_back({{"name", room.label.name},
-                    {"description", describeRoom(map, id)},
-                    {"area", room.area},
-                    {"size", {room.label.size.x(), room.label.size.y()}}});
-    if (id < max_told)
-      log.tell("room", describeRoom(map, id));
-  }
+  for (std::size_t id = 0; id < std::min(map.rooms.size(), max_told); ++id)
+    log.tell("room", describeRoom(map, id));
   if (map.rooms.size() > max_told)
     log.tell("rooms", std::to_string(map.rooms.size()) + ", all in report.json");
-  log.details["rooms"] = std::move(list);
-  for (const MapOpening& opening : map.openings) {
-    nlohmann::ordered_json& count =
-        log.details["openings"]
-                   [opening_kind_names[static_cast<std::size_t>(opening.kind)]];
-    count = count.is_null() ? 1 : count.get<int>() + 1;
-  }
 }
 
-/** \brief The same for the cylinders. */
-nlohmann::ordered_json
-jsonOf(const std::vector<CylinderPatch>& cylinders)
-{
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (std::size_t id = 0; id < cylinders.size(); ++id) {
-    const CylinderPatch& cylinder = cylinders[id];
-    list.push_back({{"id", id},
-                    {"radius", cylinder.radius},
-                    {"length", cylinder.high - cylinder.low},
-                    {"arc", cylinder.arc},
-                    {"hollow", cylinder.is_hollow},
-                    {"area", cylinder.area},
-                    {"rmse", cylinder.rms},
-                    {"support", cylinder.support},
-                    {"saved_bits", cylinder.saved_bits}});
-  }
-  return list;
-}
-
-/** \brief The same for boxes or recesses. */
-template <typename Patch>
-nlohmann::ordered_json
-jsonOfSizes(const std::vector<Patch>& patches)
-{
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (std::size_t id = 0; id < patches.size(); ++id) {
-    const Patch& patch = patches[id];
-    list.push_back({{"id", id},
-                    {"size", {patch.size[0], patch.size[1], patch.size[2]}},
-                    {"template", patch.template_id},
-                    {"saved_bits", patch.saved_bits}});
-  }
-  return list;
-}
-
-/** \brief Reports what was subtracted from the coordinates of the input. */
+/** \brief Tells what was subtracted from the coordinates of the input. */
 void
 tellShift(const CompactMap& map, StageLog& log)
 {
-  if (map.shift.isZero(0))
-    return;
-  log.details["shift"] = {map.shift.x(), map.shift.y(), map.shift.z()};
-  log.tell("coordinates",
-           "of the input less " + shiftText(map.shift) +
-               "; those of the input in floor_plan.dxf, .geojson and map.ifc");
+  if (!map.shift.isZero(0))
+    log.tell("coordinates",
+             "of the input less " + shiftText(map.shift) +
+                 "; those of the input in floor_plan.dxf, .geojson and map.ifc");
 }
 
-/** \brief Reports the up direction of the pictures, and its tilt in the map's frame. */
+/** \param[in] tilt of the frame of the map, degrees */
 void
-tellUp(const CompactMap& map, StageLog& log)
+tellTilt(double tilt, StageLog& log)
 {
-  constexpr double degrees = 180 / 3.14159265358979323846;
-  const Eigen::Vector3d up = upDirection(map);
-  const double tilt = degrees * std::acos(std::min(1.0, up.dot(upAxis(map))));
-  log.details["up"] = {up.x(), up.y(), up.z()};
-  log.details["tilt_deg"] = tilt;
   if (tilt > min_tilt_told)
     log.tell("tilted",
              "the frame of the map by " + shortNumber(tilt) +
@@ -233,14 +150,13 @@ tellMap(const ChainOptions& options,
         StageLog& log)
 {
   tellPlanes(found, log);
-  log.details["planes"] = jsonOfPlanes(map);
+  auto details = nlohmann::ordered_json::parse(mapDetailsText(map));
+  if (!options.planes.findsPrimitives())
+    for (const char* name : {"cylinders", "boxes", "recesses"})
+      details.erase(name);
+  log.details.update(details);
   tellRooms(map, log);
-  if (options.planes.findsPrimitives()) {
-    log.details["cylinders"] = jsonOf(map.cylinders);
-    log.details["boxes"] = jsonOfSizes(map.boxes);
-    log.details["recesses"] = jsonOfSizes(map.recesses);
-  }
-  tellUp(map, log);
+  tellTilt(details.at("tilt_deg").get<double>(), log);
   tellShift(map, log);
   tellCompactness(found.finite_points, map, options.output, log);
 }
@@ -317,7 +233,7 @@ writeMap(const ChainOptions& options,
   }
   timer.finish("pictures");
   tellMap(options, found, map, log);
-  log.details["plan"] = planOf(map, plan);
+  log.details["plan"] = nlohmann::ordered_json::parse(planDetailsText(map, plan));
   return names;
 }
 

@@ -1,10 +1,10 @@
 #include "digiclops_camera.h"
 
 #include "command_line.h"
-#include "fields_json.h"
 
 #include <pcl/acquisition/digiclops_grabber.h>
 #include <pcl/acquisition/usb_camera.h>
+#include <pcl/core/fields_json.h>
 #include <pcl/core/rig_cameras.h>
 
 #include <CLI/CLI.hpp>

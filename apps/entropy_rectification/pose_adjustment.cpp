@@ -1,6 +1,6 @@
 #include "pose_adjustment.h"
 
-#include "fields_json.h"
+#include <pcl/core/fields_json.h>
 
 #include <algorithm>
 

@@ -12,6 +12,7 @@
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
 #include <pcl/core/carmen_log.h>
+#include <pcl/core/fields_json.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/part_of_progress.h>
 #include <pcl/core/output_file.h>
@@ -46,21 +47,6 @@ const char*
 outcomeName(RectificationOutcome outcome)
 {
   return nameIn(rectification_outcome_names, outcome);
-}
-
-/** The steps as columns, since there may be thousands of them. */
-Json
-columnsOf(const std::vector<RectificationStep>& steps)
-{
-  Json columns;
-  visitFields(RectificationStep(), [&](const Field& field, const auto&) {
-    columns[field.name] = Json::array();
-  });
-  for (const RectificationStep& step : steps)
-    visitFields(step, [&](const Field& field, const auto& value) {
-      columns[field.name].push_back(value);
-    });
-  return columns;
 }
 
 Json

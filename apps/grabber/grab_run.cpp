@@ -1,7 +1,6 @@
 #include "active_stereo/stereo_observation.h"
 #include "compact_mapping/live_map.h"
 #include "drawn_apart.h"
-#include "fields_json.h"
 #include "frame_queue.h"
 #include "grabber_options.h"
 #include "live_window.h"
@@ -16,6 +15,7 @@
 #include <pcl/acquisition/trinocular_recorder.h>
 #include <pcl/conversions.h>
 #include <pcl/core/calibration_file.h>
+#include <pcl/core/fields_json.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/pipeline/observation_files.h>
 

@@ -1,10 +1,10 @@
 #include "egomotion_options.h"
 
 #include "egomotion_pictures.h"
-#include "fields_json.h"
 #include "output_target.h"
 #include "pose_options.h"
 
+#include <pcl/core/fields_json.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/quantile.h>
 #include <pcl/core/output_folder.h>

@@ -35,7 +35,7 @@ if(number LESS 100)
   message(FATAL_ERROR "only ${number} fields of reports were found")
 endif()
 list(JOIN fields "|" fields)
-set(advice "Write the report as it is (fieldsOf, apps/common/fields_json.h, python/reports.h)")
+set(advice "Write the report as it is (fieldsOf, pcl/core/fields_json.h, python/reports.h)")
 count(35 apps "names of fields" "${advice}" "${fields}")
 count(13 python "names of fields" "${advice}" "${fields}")
 

@@ -1,4 +1,4 @@
-#include "report_fields.h"
+#include "report/report_fields.h"
 
 namespace pcl::acmap {
 

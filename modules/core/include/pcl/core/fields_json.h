@@ -1,7 +1,5 @@
 #pragma once
 
-#include "stage_log.h"
-
 #include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 
@@ -21,7 +19,7 @@
 
 namespace pcl::acmap {
 
-/** \brief A field that a file has under another key, or does not have. */
+/** \brief A field that a file has under another key, or does not have. \ingroup core */
 struct FieldKey {
   std::string_view field;
   std::string key = {}; ///< empty: the file does not have the field
@@ -117,7 +115,14 @@ private:
   std::initializer_list<FieldKey> changes_;
 };
 
-/** \brief The fields of a struct that names them, without seconds and remarks. */
+/** \brief The fields of a struct that names them as a JSON object, without seconds and
+ * remarks; fields without a value are left out.
+ *
+ * This header alone needs nlohmann-json of the program that includes it.
+ * \code
+ * std::cout << pcl::acmap::fieldsOf (dewall.getReport ()).dump (2) << "\n";
+ * \endcode
+ * \param[in] changes keys that differ from the names of the fields \ingroup core */
 template <typename Struct>
 nlohmann::ordered_json
 fieldsOf(const Struct& fields, std::initializer_list<FieldKey> changes)
@@ -127,7 +132,35 @@ fieldsOf(const Struct& fields, std::initializer_list<FieldKey> changes)
   return std::move(visitor.json);
 }
 
-/** \brief The fields of a stage's report, and its seconds; remarks are not included. */
+/** \brief The structs of a list as columns: each field is the list of its values.
+ * \ingroup core */
+template <typename Struct>
+nlohmann::ordered_json
+columnsOf(const std::vector<Struct>& rows)
+{
+  nlohmann::ordered_json columns;
+  visitFields(Struct(), [&](const Field& field, const auto&) {
+    columns[field.name] = nlohmann::ordered_json::array();
+  });
+  for (const Struct& row : rows)
+    visitFields(row, [&](const Field& field, const auto& value) {
+      columns[field.name].push_back(value);
+    });
+  return columns;
+}
+
+/** \brief The seconds of the steps of a stage. \ingroup core */
+inline nlohmann::ordered_json
+secondsOf(const Report& report)
+{
+  nlohmann::ordered_json seconds = nlohmann::ordered_json::object();
+  for (const auto& [step, time] : report.seconds)
+    seconds[step] = time;
+  return seconds;
+}
+
+/** \brief The fields of a stage's report, and its seconds; remarks are not included.
+ * \ingroup core */
 template <typename StageReport>
 nlohmann::ordered_json
 jsonOf(const StageReport& report, std::initializer_list<FieldKey> changes)

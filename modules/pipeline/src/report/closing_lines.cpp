@@ -1,6 +1,6 @@
-#include "closing_lines.h"
+#include "report/closing_lines.h"
 
-#include "report_fields.h"
+#include "report/report_fields.h"
 
 #include <pcl/core/impl/size_text.h>
 
@@ -20,11 +20,11 @@ using Lines = std::vector<std::pair<std::string, std::string>>;
 
 /** What a stage reports; null if there was none. */
 Json
-detailsOf(const Json& report, const std::string& stage)
+detailsOfStage(const Json& report, const std::string& stage)
 {
-  for (const Json& made : report.at("stages"))
-    if (made.at("name") == stage)
-      return made.at("details");
+  for (const Json& made : listOf(report, "stages"))
+    if (textOf(made, "name") == stage)
+      return fieldOf(made, "details");
   return {};
 }
 
@@ -75,7 +75,8 @@ roomsText(const Json& rooms)
   double sum = 0;
   std::vector<std::string> areas;
   for (const Json& room : rooms) {
-    const double area = room.at("area").get<double>();
+    const Json& told = fieldOf(room, "area");
+    const double area = told.is_number() ? told.get<double>() : 0;
     sum += area;
     if (areas.size() < most)
       areas.push_back(areaText(area));
@@ -92,7 +93,7 @@ openingsText(const Json& openings)
 {
   std::vector<std::string> parts;
   for (const auto& [kind, count] : openings.items())
-    if (count > 0)
+    if (count.is_number() && count > 0)
       parts.push_back(countText(count.get<std::size_t>(), kind, kind + "s"));
   return joined(parts, ", ");
 }
@@ -103,12 +104,13 @@ middleNoise(const Json& planes)
 {
   std::vector<std::pair<double, double>> noises; // rmse, area
   double all = 0, sum = 0;
-  for (const Json& plane : planes)
-    if (plane.at("rmse").is_number() && plane.at("area").is_number()) {
-      noises.emplace_back(plane.at("rmse").get<double>(),
-                          plane.at("area").get<double>());
-      all += noises.back().second;
-    }
+  for (const Json& plane : planes) {
+    const Json &rmse = fieldOf(plane, "rmse"), &area = fieldOf(plane, "area");
+    if (!rmse.is_number() || !area.is_number())
+      continue;
+    noises.emplace_back(rmse.get<double>(), area.get<double>());
+    all += noises.back().second;
+  }
   std::sort(noises.begin(), noises.end());
   for (const auto& [noise, area] : noises)
     if ((sum += area) >= all / 2)
@@ -120,10 +122,10 @@ std::string
 accuracyText(const Json& report, const Json& map)
 {
   std::vector<std::string> parts;
-  if (const double noise = middleNoise(fieldOf(map, "planes")); noise > 0)
+  if (const double noise = middleNoise(listOf(map, "planes")); noise > 0)
     parts.push_back("points within " + shortNumber(1000 * noise) +
                     " mm of their planes (rms, half of the area)");
-  if (const Json e95 = fieldOf(detailsOf(report, "rectification"), "verdict/e95");
+  if (const Json e95 = fieldOf(detailsOfStage(report, "rectification"), "verdict/e95");
       e95.is_number())
     parts.push_back("poses within " + shortNumber(e95.get<double>()) + " m (95 %)");
   return joined(parts, ", ");
@@ -162,7 +164,7 @@ add(Lines& lines, const char* name, std::string value)
 Lines
 closingLines(const Json& report)
 {
-  const Json map = detailsOf(report, "map");
+  const Json map = detailsOfStage(report, "map");
   const Json quality = fieldOf(report, "quality");
   Lines lines;
   add(lines, "map", qualityText(quality));

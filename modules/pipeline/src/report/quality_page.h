@@ -19,7 +19,7 @@ figuresOf(const nlohmann::ordered_json& quality);
  * \param[in] positions list of the next positions
  * \return SVG; empty if the plan has no room and no wall */
 std::string
-placePicture(const nlohmann::ordered_json& plan,
+placeDrawing(const nlohmann::ordered_json& plan,
              const nlohmann::ordered_json& roughness,
              const nlohmann::ordered_json& positions);
 
@@ -27,6 +27,6 @@ placePicture(const nlohmann::ordered_json& plan,
  * \param[in] steps "search", bin_size and "energy" of a report, lists of the same length
  * \return SVG; empty without steps */
 std::string
-energyPicture(const nlohmann::ordered_json& steps);
+energyDrawing(const nlohmann::ordered_json& steps);
 
 } // namespace pcl::acmap

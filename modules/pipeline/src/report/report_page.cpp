@@ -1,12 +1,11 @@
-#include "report_page.h"
+#include "report/report_page.h"
 
-#include "quality_page.h"
-#include "report_fields.h"
+#include "report/quality_page.h"
+#include "report/report_fields.h"
 
 #include <pcl/core/image_file.h>
 #include <pcl/core/impl/base64.h>
 #include <pcl/core/impl/size_text.h>
-#include <pcl/core/output_file.h>
 #include <pcl/pipeline/map_quality.h>
 
 #include <algorithm>
@@ -442,11 +441,7 @@ quotientOf(const Json& json, const char* first, const char* second)
 std::string
 reportPage(const Json& report, const std::string& picture_folder)
 {
-  // Names may be invalid UTF-8, and numbers infinite: they become U+FFFD and null.
-  Json values =
-      Json::parse(report.dump(-1, ' ', false, Json::error_handler_t::replace));
-  if (!values.is_object())
-    values = Json::object();
+  Json values = report.is_object() ? report : Json::object();
   const Json details = detailsOf(values);
   const Json quality = fieldOf(values, "quality");
   values.update(
@@ -458,12 +453,12 @@ reportPage(const Json& report, const std::string& picture_folder)
        {"warnings", warningsOf(values)},
        {"command", commandText(listOf(values, "command_line"))},
        {"pictures", picturesOf(values, picture_folder)},
-       {"energy", energyPicture(fieldOf(details, "steps"))},
+       {"energy", energyDrawing(fieldOf(details, "steps"))},
        {"heading", headingOf(quality)},
        {"sentence", sentenceOf(quality)},
        {"figures", figuresOf(quality)},
        {"places",
-        placePicture(fieldOf(details, "plan"),
+        placeDrawing(fieldOf(details, "plan"),
                      listOf(quality, "roughness"),
                      listOf(values, "next_positions/positions"))},
        {"next", listOf(values, "next_positions/positions")},
@@ -475,17 +470,6 @@ reportPage(const Json& report, const std::string& picture_folder)
   // Nothing remains of a line with only the begin or end of a section.
   static const std::regex end("(\\{\\{[#/][^}]*\\}\\})\n");
   return filled(std::regex_replace(reportPageTemplate(), end, "$1"), values);
-}
-
-void
-saveReportPage(const std::string& path,
-               const Json& report,
-               const std::string& picture_folder)
-{
-  const std::string page = reportPage(report, picture_folder);
-  OutputFile file(path);
-  file.write(page.data(), page.size());
-  file.commit();
 }
 
 } // namespace pcl::acmap

@@ -1,4 +1,4 @@
-#include "compact_mapping/report_page.h"
+#include "house_map.h"
 #include "html_checker.h"
 #include "temporary_folder.h"
 
@@ -6,6 +6,8 @@
 #include <pcl/core/image_file.h>
 #include <pcl/core/impl/base64.h>
 #include <pcl/core/impl/size_text.h>
+#include <pcl/pipeline/compact_mapping_types.h>
+#include <pcl/pipeline/map_report.h>
 
 #include <gmock/gmock.h>
 
@@ -93,6 +95,18 @@ fullReport(const std::string& name)
 }
 
 constexpr const char* worst_name = "<script src=\"http://a.b/c.js\">&'\xFF\x01.pcd";
+
+MapReport
+reportOf(const Json& report)
+{
+  return MapReport(report.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+std::string
+reportPage(const Json& report, const std::string& folder)
+{
+  return reportOf(report).page(folder);
+}
 
 /** With its only pictures. */
 std::string
@@ -211,7 +225,6 @@ TEST(ReportPage, QualityAndPlanMayBeAnything)
 
 TEST(ReportPage, FillsAllPlacesOfItsTemplate)
 {
-  EXPECT_THAT(reportPageTemplate(), HasSubstr("{{#each planes}}"));
   EXPECT_THAT(pageOf(fullReport("corridor")), Not(HasSubstr("{{")));
   EXPECT_THAT(pageOf(Json()), Not(HasSubstr("{{")));
   // what stands in a value is no place
@@ -285,13 +298,13 @@ TEST(ReportPage, IsWrittenWholeWithTheSameBytes)
   const TemporaryFolder folder;
   savePng(folder.path("inside.png"), {2, 2, std::vector<std::uint8_t>(12, 90)});
   const Json report = fullReport(worst_name);
-  saveReportPage(folder.path("a.html"), report, folder.path(""));
-  saveReportPage(folder.path("b.html"), report, folder.path(""));
+  reportOf(report).savePage(folder.path("a.html"), folder.path(""));
+  reportOf(report).savePage(folder.path("b.html"), folder.path(""));
   const std::string page = contentOf(folder.path("a.html"));
   EXPECT_EQ(page, contentOf(folder.path("b.html")));
   EXPECT_EQ(page, reportPage(report, folder.path("")));
   EXPECT_EQ(folder.count(), 3);
-  EXPECT_THROW(saveReportPage(folder.path("no/such/folder.html"), report, ""),
+  EXPECT_THROW(reportOf(report).savePage(folder.path("no/such/folder.html"), ""),
                OutputFileException);
 }
 
@@ -572,6 +585,96 @@ TEST(ReportPage, SaysWhichPictureIsMissingOrDamaged)
   }
   EXPECT_THAT(pageWith(folder, "<n>", "It"),
               HasSubstr("“It”: &lt;n&gt; is missing or damaged"));
+}
+
+TEST(MapReport, IsMadeOfAMapAndTheReportOfItsChain)
+{
+  CompactMap map;
+  addPlane(map, level({0, 0}, {4, 3}, 0, true));
+  addPlane(map, upright({0, 0}, {4, 0}, 0, 2.5));
+  map.planes[1].label.name = "Wall of a hall";
+  map.shift = {1000, 0, 0};
+  CompactMappingReport told;
+  told.remarks = {"too dark"};
+  told.merging.observations = 3;
+  told.seconds = {{"texture", 2.5}};
+  told.quality.emplace();
+  told.quality->outcome = MapQualityOutcome::NotUsable;
+  told.quality->sentence = "surfaces are 31 mm thick";
+  told.rectification.emplace();
+  told.rectification->steps.resize(2);
+
+  const MapReport report(map, told);
+  const Json json = Json::parse(report.text());
+  EXPECT_EQ(json["planes"], 2);
+  EXPECT_EQ(json["stages"].size(), 2U);
+  EXPECT_EQ(json["stages"][0]["details"]["steps"]["energy"].size(), 2U);
+  EXPECT_EQ(json["stages"][1]["details"]["shift"], Json({1000.0, 0.0, 0.0}));
+
+  const std::string page = report.page("no folder");
+  EXPECT_EQ(htmlFault(page), "");
+  for (const char* text : {"<h1 class=\"outcome\">Not usable",
+                           "Surfaces are 31 mm thick",
+                           "2 planes</strong> from 3 observations",
+                           "too dark",
+                           "Took 2.50 s",
+                           "Energy of the rectification",
+                           "Wall of a hall"})
+    EXPECT_THAT(page, HasSubstr(text));
+  using testing::Pair;
+  EXPECT_THAT(
+      report.summary(),
+      testing::ElementsAre(
+          Pair("map", "Not usable: surfaces are 31 mm thick"),
+          Pair("surfaces", "2 planes"),
+          Pair("accuracy",
+               "points within 6.8 mm of their planes (rms, half of the area)")));
+}
+
+TEST(MapReport, OfAnEmptyMapHasAPage)
+{
+  const MapReport report((CompactMap()), CompactMappingReport());
+  EXPECT_EQ(htmlFault(report.page("")), "");
+  EXPECT_TRUE(report.summary().empty());
+}
+
+TEST(MapReport, SummaryTakesAnyJson)
+{
+  const Json full = fullReport("corridor");
+  EXPECT_EQ(reportOf(full).summary().front(),
+            std::pair(std::string("map"),
+                      std::string("Not usable: surfaces are 31 mm thick.")));
+  for (const Json& instead :
+       {Json(), Json(7), Json("text"), Json::array({1, Json()}), Json{{"a", "b"}}}) {
+    EXPECT_TRUE(reportOf(instead).summary().empty());
+    for (const auto& field : full.items()) {
+      Json report = full;
+      report[field.key()] = instead;
+      EXPECT_NO_THROW(reportOf(report).summary()) << field.key() << instead;
+    }
+    Json report = full;
+    report["stages"][0]["name"] = "map";
+    for (const auto& field : full["stages"][0]["details"].items()) {
+      report["stages"][0]["details"][field.key()] = instead;
+      EXPECT_NO_THROW(reportOf(report).summary()) << field.key() << instead;
+    }
+  }
+}
+
+TEST(MapReport, IsReadFromItsFile)
+{
+  const TemporaryFolder folder;
+  folder.write("report.json", R"({"planes": 7})");
+  EXPECT_EQ(loadMapReport(folder.path("report.json")).summary().front().second,
+            "7 planes");
+  for (const char* text : {"", "{", "{} {}"}) {
+    folder.write("report.json", text);
+    EXPECT_THROW(loadMapReport(folder.path("report.json")), InputFileException) << text;
+    EXPECT_THROW(MapReport{text}, BadArgumentException) << text;
+  }
+  EXPECT_THROW(MapReport(std::string(100000, '[') + std::string(100000, ']')),
+               BadArgumentException);
+  EXPECT_THROW(loadMapReport(folder.path("none.json")), InputFileException);
 }
 
 TEST(HtmlChecker, FindsFaults)

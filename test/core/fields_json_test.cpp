@@ -1,6 +1,6 @@
-#include "fields_json.h"
 
 #include <gtest/gtest.h>
+#include <pcl/core/fields_json.h>
 
 namespace pcl::acmap::test {
 namespace {
@@ -85,6 +85,12 @@ TEST(FieldsJson, AReportHasItsSecondsAtTheEnd)
   InnerReport report;
   report.seconds = {{"look", 1}, {"find", 2}};
   EXPECT_EQ(jsonOf(report).dump(), R"({"points":3,"seconds":{"look":1.0,"find":2.0}})");
+}
+
+TEST(FieldsJson, RowsBecomeColumns)
+{
+  EXPECT_EQ(columnsOf(std::vector<Step>{{1}, {2}}).dump(), R"({"length":[1.0,2.0]})");
+  EXPECT_EQ(columnsOf(std::vector<Step>()).dump(), R"({"length":[]})");
 }
 
 TEST(FieldsJson, AnEnumeratorWithoutANameIsRefused)

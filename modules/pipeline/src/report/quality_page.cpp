@@ -1,6 +1,6 @@
-#include "quality_page.h"
+#include "report/quality_page.h"
 
-#include "report_fields.h"
+#include "report/report_fields.h"
 
 #include <algorithm>
 #include <array>
@@ -399,13 +399,13 @@ figuresOf(const Json& quality)
 }
 
 std::string
-placePicture(const Json& plan, const Json& roughness, const Json& positions)
+placeDrawing(const Json& plan, const Json& roughness, const Json& positions)
 {
   return PlaceDrawing(plan, roughness, positions).draw();
 }
 
 std::string
-energyPicture(const Json& steps)
+energyDrawing(const Json& steps)
 {
   const auto energies = numbersOf(fieldOf(steps, "energy"), 1);
   if (!energies)
