@@ -336,12 +336,12 @@ MapRun::tellPoses(const std::string& stage,
     rectification.folder = options_.input;
     rectification.output = open.path("");
     const ObservationSequence& posed = *state.observations;
-    drawRectification(state.rectified.clouds,
-                      state.before.poses,
-                      state.estimated.trajectory.poses,
-                      report.levelling->axis,
-                      *report.rectification,
-                      [&](const char* name) { return open.path(name); });
+    savePictures(drawRectification(state.rectified.clouds,
+                                   state.before.poses,
+                                   state.estimated.trajectory.poses,
+                                   report.levelling->axis,
+                                   report.rectification->steps),
+                 [&](const char* name) { return open.path(name); });
     tellConsolidated(*report.consolidation,
                      posed.size(),
                      rectification.stage.getMode() == RectificationMode::Paper,

@@ -7,6 +7,7 @@
 #include <pcl/pipeline/bag_settings.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/pose_convention_check.h>
+#include <pcl/pipeline/rectification_pictures.h>
 #include <pcl/pipeline/sequence_consolidation.h>
 #include <pcl/point_types.h>
 
@@ -80,16 +81,11 @@ tellConsolidated(const SequenceConsolidationReport& report,
                  bool is_raw,
                  StageLog& log);
 
-/** \brief Draws plans and the energy.
- * \param[in] before,after poses of the clouds; the map is level
+/** \brief Writes plan_before.png, plan_after.png, plan.png and energy.png.
  * \param[in] place path of a picture of a name */
 void
-drawRectification(const std::vector<PointCloud<PointNormal>::Ptr>& clouds,
-                  const std::vector<Eigen::Isometry3d>& before,
-                  const std::vector<Eigen::Isometry3d>& after,
-                  const Eigen::Vector3d& up,
-                  const EntropyRectificationReport& report,
-                  const std::function<std::string(const char*)>& place);
+savePictures(const RectificationPictures& pictures,
+             const std::function<std::string(const char*)>& place);
 
 /** \brief Rectifies a map and writes it into a folder: the complete work of
  * pcl_entropy_rectification.

@@ -1,10 +1,8 @@
 #include "rectification_options.h"
 
-#include "energy_curve.h"
 #include "log_observations.h"
 #include "memory.h"
 #include "output_target.h"
-#include "plan_picture.h"
 #include "pose_adjustment.h"
 #include "pose_options.h"
 #include "stage_reports.h"
@@ -171,30 +169,6 @@ tellLevel(const MapLevellingReport& report, StageLog& log)
   details["tilt_deg"] = tilt;
 }
 
-/** Transforms the poses to a frame whose y axis points down, as plans have it. */
-Poses
-upright(const Eigen::Vector3d& up, Poses poses)
-{
-  for (Eigen::Isometry3d& pose : poses)
-    pose = uprightRotation(up) * pose;
-  return poses;
-}
-
-/** Extent of all poses and points, before and after. */
-PlanExtent
-extentOf(const Clouds& clouds, const Poses& before, const Poses& after)
-{
-  PlanContents contents;
-  for (const Poses* all : {&before, &after})
-    for (std::size_t i = 0; i < all->size(); ++i) {
-      const Eigen::Isometry3d& T_plan_camera = (*all)[i];
-      contents.addPlace(T_plan_camera.translation());
-      for (const PointNormal& point : *clouds[i])
-        contents.addPoint(T_plan_camera * point.getVector3fMap().cast<double>());
-    }
-  return contents.extent();
-}
-
 /** Writes the scans of a log with their new poses as a log, and the poses as a table. */
 void
 writeScans(std::vector<PlanarScan> scans,
@@ -349,28 +323,13 @@ tellConsolidated(const SequenceConsolidationReport& report,
 }
 
 void
-drawRectification(const std::vector<PointCloud<PointNormal>::Ptr>& clouds,
-                  const std::vector<Eigen::Isometry3d>& before,
-                  const std::vector<Eigen::Isometry3d>& after,
-                  const Eigen::Vector3d& up,
-                  const EntropyRectificationReport& report,
-                  const std::function<std::string(const char*)>& place)
+savePictures(const RectificationPictures& pictures,
+             const std::function<std::string(const char*)>& place)
 {
-  const Poses plan_before = upright(up, before), plan_after = upright(up, after);
-  const PlanExtent extent = extentOf(clouds, plan_before, plan_after);
-  PlanPicture picture_before(extent), picture_after(extent);
-  for (std::size_t i = 0; i < clouds.size(); ++i)
-    for (const PointNormal& point : *clouds[i]) {
-      const Eigen::Vector3d in_camera = point.getVector3fMap().cast<double>();
-      picture_before.add(plan_before[i] * in_camera);
-      picture_after.add(plan_after[i] * in_camera);
-    }
-  const RgbImage image_before = picture_before.draw(plan_before, red);
-  const RgbImage image_after = picture_after.draw(plan_after, blue);
-  savePng(place("plan_before.png"), image_before);
-  savePng(place("plan_after.png"), image_after);
-  savePng(place("plan.png"), beside(image_before, image_after));
-  savePng(place("energy.png"), energyPicture(report.steps));
+  savePng(place("plan_before.png"), pictures.plan_before);
+  savePng(place("plan_after.png"), pictures.plan_after);
+  savePng(place("plan.png"), pictures.plan);
+  savePng(place("energy.png"), pictures.energy);
 }
 
 void
@@ -402,12 +361,12 @@ rectifyPoses(const RectificationOptions& options,
   const Poses& poses = state.estimated.trajectory.poses;
   writeObservations(options, mapped, *report.consolidation, folder, controls);
   writePoses(state.before, poses, folder);
-  drawRectification(state.rectified.clouds,
-                    state.before.poses,
-                    poses,
-                    report.levelling->axis,
-                    *report.rectification,
-                    [&](const char* name) { return folder.path(name); });
+  savePictures(drawRectification(state.rectified.clouds,
+                                 state.before.poses,
+                                 poses,
+                                 report.levelling->axis,
+                                 report.rectification->steps),
+               [&](const char* name) { return folder.path(name); });
   stopIfInterrupted();
   folder.commit();
   timer.finish("write");
@@ -453,12 +412,10 @@ rectifyScans(const RectificationOptions& options,
   if (options.write_map)
     writeEchoes(scans, poses, folder);
   writePoses(scans.trajectory, poses, folder);
-  drawRectification(scans.clouds,
-                    scans.trajectory.poses,
-                    poses,
-                    levelled.axis,
-                    report,
-                    [&](const char* name) { return folder.path(name); });
+  savePictures(
+      drawRectification(
+          scans.clouds, scans.trajectory.poses, poses, levelled.axis, report.steps),
+      [&](const char* name) { return folder.path(name); });
   writeScans(scans.scans, poses, folder);
   stopIfInterrupted();
   folder.commit();

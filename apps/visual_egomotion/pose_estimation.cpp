@@ -1,6 +1,5 @@
 #include "egomotion_options.h"
 
-#include "egomotion_pictures.h"
 #include "output_target.h"
 #include "pose_options.h"
 
@@ -10,6 +9,7 @@
 #include <pcl/core/output_folder.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/odometry_pictures.h>
 #include <pcl/pipeline/visual_odometry.h>
 
 #include <algorithm>

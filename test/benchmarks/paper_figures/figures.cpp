@@ -3,7 +3,7 @@
 #include "exit_code.h"
 #include "figure_plan.h"
 #include "memory.h"
-#include "plan_picture.h"
+#include "pictures/drawing.h"
 #include "tool.h"
 
 #include <pcl/acquisition/random_line_pattern.h>
@@ -19,6 +19,7 @@
 #include <pcl/core/trajectory_error.h>
 #include <pcl/filters/voxel_consolidation.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/plan_picture.h>
 #include <pcl/pipeline/session_source.h>
 #include <pcl/point_types.h>
 #include <pcl/surface/dewall_triangulation.h>
@@ -730,7 +731,7 @@ public:
   truth() const
   {
     const auto poses = transformed(T_plan_map_, session_.trajectory.poses);
-    RgbImage image = PlanPicture(extent_).draw(poses, trajectory_color);
+    RgbImage image = PlanPicture(extent_).draw(poses, channelsOf(trajectory_color));
     cv::Mat3b picture = matOf(image).clone();
     drawWalls(picture, 1, black);
     return named(picture, "true plan");
@@ -742,8 +743,8 @@ public:
   {
     PlanPicture plan(extent_);
     forEachPoint(trajectory, [&](const Eigen::Vector3d& point) { plan.add(point); });
-    RgbImage points =
-        plan.draw(transformed(T_plan_map_, trajectory.poses), trajectory_color);
+    RgbImage points = plan.draw(transformed(T_plan_map_, trajectory.poses),
+                                channelsOf(trajectory_color));
     cv::Mat3b picture(extent_.height, extent_.width, white);
     drawWalls(picture, 2, truth_color);
     cv::min(picture, cv::Mat(matOf(points)), picture);

@@ -1,19 +1,23 @@
-#include "plan_picture.h"
+#include "pictures/drawing.h"
+
+#include <pcl/pipeline/plan_picture.h>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
-namespace pcl::acmap {
+namespace pcl {
 
 namespace {
 
-constexpr int longest_side = 1000; // pixels
-constexpr int min_side = 200;
-constexpr int margin = 15;
+using acmap::Color;
+
+constexpr int longest_side_of_plan = 1000; // pixels
+constexpr int min_side_of_plan = 200;
+constexpr int plan_margin = 15;
 
 bool
-canBeShown(const Eigen::Vector3d& in_map)
+isInPlan(const Eigen::Vector3d& in_map)
 {
   constexpr double farthest = 1e9; // metres
   return in_map.cwiseAbs().maxCoeff() < farthest && in_map.allFinite();
@@ -21,7 +25,7 @@ canBeShown(const Eigen::Vector3d& in_map)
 
 /** The range of the numbers without the outermost ones at each end. */
 Eigen::Vector2d
-rangeOf(std::vector<float> values)
+rangeInPlan(std::vector<float> values)
 {
   constexpr std::size_t few = 500; // fraction 1 / 500 at each end
   const auto skipped = static_cast<std::ptrdiff_t>(values.size() / few);
@@ -48,18 +52,18 @@ blackCount(std::vector<std::uint32_t> counts)
 
 /** Draws a bar of a round length into the lower left corner, labelled in metres. */
 void
-drawScaleBar(cv::Mat3b& image, double metres_per_pixel)
+drawPlanScale(cv::Mat3b& image, double metres_per_pixel)
 {
-  const double metres = roundLength(0.3 * image.cols * metres_per_pixel);
-  const Eigen::Vector2d left(margin, image.rows - margin);
+  const double metres = acmap::roundLength(0.3 * image.cols * metres_per_pixel);
+  const Eigen::Vector2d left(plan_margin, image.rows - plan_margin);
   const Eigen::Vector2d right = left + Eigen::Vector2d(metres / metres_per_pixel, 0);
   const Eigen::Vector2d up(0, 4);
-  drawLine(image, left, right, 1, black);
+  acmap::drawLine(image, left, right, 1, acmap::black);
   for (const Eigen::Vector2d& end : {left, right})
-    drawLine(image, end - up, end + up, 1, black);
+    acmap::drawLine(image, end - up, end + up, 1, acmap::black);
   std::ostringstream text;
   text << metres << " m";
-  drawText(image, 0.5 * (left + right) - 3 * up, text.str(), black, 0.5);
+  acmap::drawText(image, 0.5 * (left + right) - 3 * up, text.str(), acmap::black, 0.5);
 }
 
 } // namespace
@@ -67,7 +71,7 @@ drawScaleBar(cv::Mat3b& image, double metres_per_pixel)
 void
 PlanContents::addPoint(const Eigen::Vector3d& in_map)
 {
-  if (!canBeShown(in_map))
+  if (!isInPlan(in_map))
     return;
   x_.push_back(static_cast<float>(in_map.x()));
   z_.push_back(static_cast<float>(in_map.z()));
@@ -76,7 +80,7 @@ PlanContents::addPoint(const Eigen::Vector3d& in_map)
 void
 PlanContents::addPlace(const Eigen::Vector3d& in_map)
 {
-  if (canBeShown(in_map))
+  if (isInPlan(in_map))
     places_.extend(Eigen::Vector2d(in_map.x(), in_map.z()));
 }
 
@@ -85,18 +89,19 @@ PlanContents::extent() const
 {
   Eigen::AlignedBox2d box = places_;
   if (!x_.empty()) {
-    const Eigen::Vector2d range_x = rangeOf(x_);
-    const Eigen::Vector2d range_z = rangeOf(z_);
+    const Eigen::Vector2d range_x = rangeInPlan(x_);
+    const Eigen::Vector2d range_z = rangeInPlan(z_);
     box.extend(Eigen::Vector2d(range_x[0], range_z[0]));
     box.extend(Eigen::Vector2d(range_x[1], range_z[1]));
   }
   if (box.isEmpty())
     box.extend(Eigen::Vector2d(0, 0));
   PlanExtent extent;
-  extent.pixel = std::max(box.sizes().maxCoeff(), 1e-3) / (longest_side - 2 * margin);
+  extent.pixel =
+      std::max(box.sizes().maxCoeff(), 1e-3) / (longest_side_of_plan - 2 * plan_margin);
   const auto pixels = [&](double metres) {
     const auto side = static_cast<int>(std::lround(metres / extent.pixel));
-    return std::max(side + 2 * margin, min_side);
+    return std::max(side + 2 * plan_margin, min_side_of_plan);
   };
   extent.width = pixels(box.sizes().x());
   extent.height = pixels(box.sizes().y());
@@ -126,8 +131,10 @@ PlanPicture::add(const Eigen::Vector3d& in_map)
 }
 
 RgbImage
-PlanPicture::draw(const std::vector<Eigen::Isometry3d>& poses, const Color& color) const
+PlanPicture::draw(const std::vector<Eigen::Isometry3d>& poses,
+                  const std::array<std::uint8_t, 3>& color) const
 {
+  const Color line_color(color[0], color[1], color[2]);
   cv::Mat3b image(extent_.height, extent_.width);
   const double black_count = blackCount(counts_);
   const double scale = 1 / std::log1p(black_count);
@@ -140,26 +147,15 @@ PlanPicture::draw(const std::vector<Eigen::Isometry3d>& poses, const Color& colo
             std::lround(255 * (1 - std::pow(share, contrast)))));
       });
   for (std::size_t i = 1; i < poses.size(); ++i)
-    drawLine(image,
-             extent_.pixelOf(poses[i - 1].translation()),
-             extent_.pixelOf(poses[i].translation()),
-             2,
-             color);
+    acmap::drawLine(image,
+                    extent_.pixelOf(poses[i - 1].translation()),
+                    extent_.pixelOf(poses[i].translation()),
+                    2,
+                    line_color);
   if (!poses.empty())
-    drawDot(image, extent_.pixelOf(poses.front().translation()), 5, color);
-  drawScaleBar(image, extent_.pixel);
-  return rgbImageOf(image);
+    acmap::drawDot(image, extent_.pixelOf(poses.front().translation()), 5, line_color);
+  drawPlanScale(image, extent_.pixel);
+  return acmap::rgbImageOf(image);
 }
 
-RgbImage
-beside(RgbImage left, RgbImage right)
-{
-  constexpr int gap = 6;
-  cv::Mat3b between(left.height, gap, white);
-  drawLine(between, {gap / 2, 0}, {gap / 2, left.height - 1.0}, 1, gray);
-  cv::Mat3b both;
-  cv::hconcat(std::vector<cv::Mat3b>{matOf(left), between, matOf(right)}, both);
-  return rgbImageOf(both);
-}
-
-} // namespace pcl::acmap
+} // namespace pcl

@@ -5,12 +5,19 @@
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
 
+#include <array>
+#include <cstdint>
 #include <string>
-#include <vector>
 
 namespace pcl::acmap {
 
 using Color = cv::Vec3b; ///< red, green, blue
+
+inline std::array<std::uint8_t, 3>
+channelsOf(const Color& color)
+{
+  return {color[0], color[1], color[2]};
+}
 
 inline const Color white(255, 255, 255);
 inline const Color black(0, 0, 0);
@@ -25,6 +32,10 @@ matOf(RgbImage& image);
 /** \brief Copies a matrix with the channels red, green, blue. */
 RgbImage
 rgbImageOf(const cv::Mat3b& matrix);
+
+/** \brief Two pictures of the same height side by side. */
+RgbImage
+beside(RgbImage left, RgbImage right);
 
 /** \brief Draws a line; parts outside of the image are clipped. A line with an end that
  * is not finite is not drawn.

@@ -1,4 +1,6 @@
-#include "energy_curve.h"
+#include "pictures/drawing.h"
+
+#include <pcl/pipeline/rectification_pictures.h>
 
 #include <algorithm>
 #include <array>
@@ -8,25 +10,29 @@
 #include <string>
 #include <utility>
 
-namespace pcl::acmap {
+namespace pcl {
+
+namespace acmap {
 
 namespace {
 
-const std::array<Color, 6> palette = {blue,
-                                      red,
-                                      Color(30, 140, 60),
-                                      Color(190, 120, 0),
-                                      Color(120, 60, 170),
-                                      Color(0, 140, 150)};
+const std::array<Color, 6> search_colors = {blue,
+                                            red,
+                                            Color(30, 140, 60),
+                                            Color(190, 120, 0),
+                                            Color(120, 60, 170),
+                                            Color(0, 140, 150)};
 
-} // namespace
-
+/** Are the energies of both the same function of the poses? This holds only within one
+ * search and bin size. */
 bool
 areComparable(const RectificationStep& a, const RectificationStep& b)
 {
   return a.search == b.search && a.bin_size == b.bin_size;
 }
 
+/** Energy of each step above the minimum of the comparable steps; NaN if it is not
+ * finite. */
 std::vector<double>
 energiesAboveLowest(const std::vector<RectificationStep>& steps)
 {
@@ -45,6 +51,13 @@ energiesAboveLowest(const std::vector<RectificationStep>& steps)
   return heights;
 }
 
+/** Range of energies in a picture. */
+struct EnergyRange {
+  double minimum, maximum;
+};
+
+/** A range that includes 0 and all but the highest values.
+ * \param[in] heights of energiesAboveLowest */
 EnergyRange
 shownRange(std::vector<double> heights)
 {
@@ -61,38 +74,44 @@ shownRange(std::vector<double> heights)
   return {-0.5 * spare, maximum + spare};
 }
 
+} // namespace
+
+} // namespace acmap
+
 RgbImage
 energyPicture(const std::vector<RectificationStep>& steps)
 {
   constexpr int width = 885, height = 476; // pixels
   const auto last = static_cast<double>(std::max<std::size_t>(steps.size(), 2) - 1);
-  const std::vector<double> heights = energiesAboveLowest(steps);
-  const EnergyRange range = shownRange(heights);
-  Plot plot({width, height},
-            {Eigen::Vector2d(0, range.minimum), Eigen::Vector2d(last, range.maximum)},
-            "steps of the search",
-            "energy above the lowest");
+  const std::vector<double> heights = acmap::energiesAboveLowest(steps);
+  const acmap::EnergyRange range = acmap::shownRange(heights);
+  acmap::Plot plot(
+      {width, height},
+      {Eigen::Vector2d(0, range.minimum), Eigen::Vector2d(last, range.maximum)},
+      "steps of the search",
+      "energy above the lowest");
   std::vector<std::string> searches;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const RectificationStep& step = steps[i];
     const auto found = std::find(searches.begin(), searches.end(), step.search);
     const auto number = static_cast<std::size_t>(found - searches.begin());
-    const Color& color = palette[number % palette.size()];
+    const acmap::Color& color =
+        acmap::search_colors[number % acmap::search_colors.size()];
     if (found == searches.end()) {
       searches.push_back(step.search);
       plot.addToLegend(step.search, color);
     }
     const Eigen::Vector2d to = plot.pixelOf(static_cast<double>(i), heights[i]);
-    if (i > 0 && areComparable(steps[i - 1], step))
-      drawLine(plot.inside(),
-               plot.pixelOf(static_cast<double>(i - 1), heights[i - 1]),
-               to,
-               2,
-               color);
+    if (i > 0 && acmap::areComparable(steps[i - 1], step))
+      acmap::drawLine(plot.inside(),
+                      plot.pixelOf(static_cast<double>(i - 1), heights[i - 1]),
+                      to,
+                      2,
+                      color);
     else
-      drawDot(plot.inside(), to, 3, color);
+      acmap::drawDot(plot.inside(), to, 3, color);
   }
   return plot.picture();
 }
 
-} // namespace pcl::acmap
+} // namespace pcl

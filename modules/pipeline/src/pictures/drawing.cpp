@@ -1,10 +1,11 @@
-#include "drawing.h"
+#include "pictures/drawing.h"
 
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -103,6 +104,17 @@ drawText(cv::Mat3b& image,
   cv::putText(image, text, begin, font, font_scale, white, border, cv::LINE_AA);
   cv::putText(image, text, begin, font, font_scale, color, 1, cv::LINE_AA);
   return size.width;
+}
+
+RgbImage
+beside(RgbImage left, RgbImage right)
+{
+  constexpr int gap = 6;
+  cv::Mat3b between(left.height, gap, white);
+  drawLine(between, {gap / 2, 0}, {gap / 2, left.height - 1.0}, 1, gray);
+  cv::Mat3b both;
+  cv::hconcat(std::vector<cv::Mat3b>{matOf(left), between, matOf(right)}, both);
+  return rgbImageOf(both);
 }
 
 double

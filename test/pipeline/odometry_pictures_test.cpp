@@ -1,5 +1,6 @@
-#include "drawing.h"
-#include "visual_egomotion/egomotion_pictures.h"
+#include "pictures/drawing.h"
+
+#include <pcl/pipeline/odometry_pictures.h>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@ namespace pcl::acmap::test {
 namespace {
 
 std::size_t
-countOf(const RgbImage& image, const Color& color)
+pixelsIn(const RgbImage& image, const Color& color)
 {
   std::size_t count = 0;
   for (int row = 0; row < image.height; ++row)
@@ -31,7 +32,7 @@ middleOf(const RgbImage& image, const Color& color)
                 image.at(column, row)[1],
                 image.at(column, row)[2]} == color)
         sum += Eigen::Vector2d(column, row);
-  return sum / static_cast<double>(countOf(image, color));
+  return sum / static_cast<double>(pixelsIn(image, color));
 }
 
 std::vector<std::optional<Eigen::Isometry3d>>
@@ -49,17 +50,17 @@ TEST(TrajectoryPicture, ShowsGapsInRedAndTheTruthInGrey)
 {
   auto way = wayAlongX(11);
   const RgbImage whole = trajectoryPicture(way, {});
-  EXPECT_EQ(countOf(whole, red), 0U);
-  const std::size_t blue_of_whole = countOf(whole, blue);
+  EXPECT_EQ(pixelsIn(whole, red), 0U);
+  const std::size_t blue_of_whole = pixelsIn(whole, blue);
   EXPECT_GT(blue_of_whole, 900U);
   way[5].reset();
   const RgbImage torn = trajectoryPicture(way, {});
-  EXPECT_GT(countOf(torn, red), 50U);
-  EXPECT_NEAR(static_cast<double>(countOf(torn, blue)), 0.8 * blue_of_whole, 100);
+  EXPECT_GT(pixelsIn(torn, red), 50U);
+  EXPECT_NEAR(static_cast<double>(pixelsIn(torn, blue)), 0.8 * blue_of_whole, 100);
   std::vector<Eigen::Isometry3d> truth(2, Eigen::Isometry3d::Identity());
   truth[1].translation() << 10, 0, 1;
-  EXPECT_GT(countOf(trajectoryPicture(wayAlongX(11), truth), gray),
-            800 + countOf(whole, gray));
+  EXPECT_GT(pixelsIn(trajectoryPicture(wayAlongX(11), truth), gray),
+            800 + pixelsIn(whole, gray));
 }
 
 TEST(TrajectoryPicture, DirectionsPointWhereTheCameraLooks)
@@ -88,8 +89,8 @@ TEST(TrajectoryPicture, OfWildPlacesCanBeDrawn)
 {
   auto way = wayAlongX(3);
   way[1]->translation() << 1e12, std::numeric_limits<double>::quiet_NaN(), -1e300;
-  EXPECT_GT(countOf(trajectoryPicture(way, {}), blue), 40U); // the start dot
-  EXPECT_GT(countOf(trajectoryPicture({}, {}), black), 50U); // the scale bar, the count
+  EXPECT_GT(pixelsIn(trajectoryPicture(way, {}), blue), 40U); // the start dot
+  EXPECT_GT(pixelsIn(trajectoryPicture({}, {}), black), 50U); // the scale bar, the count
 }
 
 TEST(MatchPicture, LinesGoFromViewToView)

@@ -1,15 +1,19 @@
-#include "egomotion_pictures.h"
+#include "pictures/drawing.h"
 
-#include "plan_picture.h"
+#include <pcl/pipeline/odometry_pictures.h>
+#include <pcl/pipeline/plan_picture.h>
 
 #include <algorithm>
 #include <array>
 
-namespace pcl::acmap {
+namespace pcl {
 
 namespace {
 
-using Cloud = PointCloud<PointXYZRGBSigma>;
+using acmap::Color;
+using acmap::drawDot;
+using acmap::drawLine;
+using View = PointCloud<PointXYZRGBSigma>;
 using MaybePoses = std::vector<std::optional<Eigen::Isometry3d>>;
 
 const Color green(40, 200, 60);
@@ -18,7 +22,7 @@ const Color light_red(255, 70, 60);
 /** A grey image, stretched from black to below white for any lighting, so that lines
  * stand out. It has few grey levels, since noise would make large files. */
 cv::Mat3b
-imageOf(const Cloud& cloud)
+greyImageOf(const View& cloud)
 {
   std::vector<int> greys;
   for (const PointXYZRGBSigma& point : cloud)
@@ -39,14 +43,14 @@ imageOf(const Cloud& cloud)
 }
 
 Eigen::Vector2d
-pixelOf(const Cloud& cloud, index_t index)
+pixelOfPoint(const View& cloud, index_t index)
 {
   const auto width = static_cast<index_t>(cloud.width);
   return {index % width, index / width};
 }
 
 PlanExtent
-extentOf(const MaybePoses& poses, const std::vector<Eigen::Isometry3d>& truth)
+extentOfPath(const MaybePoses& poses, const std::vector<Eigen::Isometry3d>& truth)
 {
   PlanContents contents;
   for (const auto& pose : poses)
@@ -69,12 +73,16 @@ drawGap(cv::Mat3b& image,
   const Eigen::Vector2d along = to - from;
   const int dashes = 1 + 2 * static_cast<int>(along.norm() / (2 * dash));
   for (int i = 0; i < dashes; i += 2)
-    drawLine(image, from + along * i / dashes, from + along * (i + 1) / dashes, 2, red);
+    drawLine(image,
+             from + along * i / dashes,
+             from + along * (i + 1) / dashes,
+             2,
+             acmap::red);
   for (std::size_t i = 1; i <= lost; ++i) {
     const Eigen::Vector2d at =
         from + along * static_cast<double>(i) / static_cast<double>(lost + 1);
     for (const Eigen::Vector2d& half : {Eigen::Vector2d(arm, arm), {arm, -arm}})
-      drawLine(image, at - half, at + half, 2, red);
+      drawLine(image, at - half, at + half, 2, acmap::red);
   }
 }
 
@@ -87,13 +95,13 @@ drawTrajectory(cv::Mat3b& image, const PlanExtent& extent, const MaybePoses& pos
       continue;
     const Eigen::Vector2d at = extent.pixelOf(poses[i]->translation());
     if (!last)
-      drawDot(image, at, 5, blue);
+      drawDot(image, at, 5, acmap::blue);
     else {
       const Eigen::Vector2d before = extent.pixelOf(poses[*last]->translation());
       if (const std::size_t lost = i - *last - 1)
         drawGap(image, before, at, lost);
       else
-        drawLine(image, before, at, 2, blue);
+        drawLine(image, before, at, 2, acmap::blue);
     }
     last = i;
   }
@@ -109,35 +117,39 @@ drawDirections(cv::Mat3b& image, const PlanExtent& extent, const MaybePoses& pos
       continue;
     const Eigen::Vector3d ahead = poses[i]->linear().col(2);
     const Eigen::Vector2d at = extent.pixelOf(poses[i]->translation());
-    drawLine(image, at, at + stroke * Eigen::Vector2d(ahead.x(), -ahead.z()), 1, black);
+    drawLine(image,
+             at,
+             at + stroke * Eigen::Vector2d(ahead.x(), -ahead.z()),
+             1,
+             acmap::black);
   }
 }
 
 } // namespace
 
 RgbImage
-matchPicture(const Cloud& now,
-             const Cloud& before,
+matchPicture(const View& now,
+             const View& before,
              const Correspondences& matches,
              const Correspondences& kept)
 {
   constexpr int gap = 6, caption_height = 22; // pixels
-  const cv::Mat3b left = imageOf(before), right = imageOf(now);
+  const cv::Mat3b left = greyImageOf(before), right = greyImageOf(now);
   const int shift = left.cols + gap;
   const int row_height = left.rows + caption_height;
-  cv::Mat3b image(2 * row_height, shift + right.cols, white);
+  cv::Mat3b image(2 * row_height, shift + right.cols, acmap::white);
   const auto drawRow =
       [&](int top, const Correspondences& pairs, const char* what, const Color& color) {
-        drawText(image,
-                 {4, top + 0.5 * caption_height},
-                 std::to_string(pairs.size()) + what,
-                 black);
+        acmap::drawText(image,
+                        {4, top + 0.5 * caption_height},
+                        std::to_string(pairs.size()) + what,
+                        acmap::black);
         cv::Mat3b views = image.rowRange(top + caption_height, top + row_height);
         left.copyTo(views.colRange(0, left.cols));
         right.copyTo(views.colRange(shift, views.cols));
         const auto ends = [&](const Correspondence& pair) {
-          return std::array{pixelOf(before, pair.index_match),
-                            Eigen::Vector2d(pixelOf(now, pair.index_query) +
+          return std::array{pixelOfPoint(before, pair.index_match),
+                            Eigen::Vector2d(pixelOfPoint(now, pair.index_query) +
                                             Eigen::Vector2d(shift, 0))};
         };
         // the views stay visible under many lines; halves are exact
@@ -151,35 +163,36 @@ matchPicture(const Cloud& now,
       };
   drawRow(0, matches, " matches look alike", light_red);
   drawRow(row_height, kept, " matches agree on the motion", green);
-  return rgbImageOf(image);
+  return acmap::rgbImageOf(image);
 }
 
 RgbImage
 trajectoryPicture(const MaybePoses& poses, const std::vector<Eigen::Isometry3d>& truth)
 {
-  const PlanExtent extent = extentOf(poses, truth);
+  const PlanExtent extent = extentOfPath(poses, truth);
   const cv::Size size(extent.width, extent.height);
   const Eigen::Vector2d maximum =
       extent.minimum + extent.pixel * Eigen::Vector2d(size.width - 1, size.height - 1);
-  Plot plot(size, {extent.minimum, maximum}, "x [m]", "z [m]");
+  acmap::Plot plot(size, {extent.minimum, maximum}, "x [m]", "z [m]");
   for (std::size_t i = 1; i < truth.size(); ++i)
     drawLine(plot.inside(),
              extent.pixelOf(truth[i - 1].translation()),
              extent.pixelOf(truth[i].translation()),
              2,
-             gray);
+             acmap::gray);
   drawDirections(plot.inside(), extent, poses);
   drawTrajectory(plot.inside(), extent, poses);
   // observations lost at the end have no position in the picture
   const auto posed = static_cast<std::size_t>(std::count_if(
       poses.begin(), poses.end(), [](const auto& pose) { return pose.has_value(); }));
-  plot.addToLegend(
-      std::to_string(posed) + " of " + std::to_string(poses.size()) + " posed", blue);
+  plot.addToLegend(std::to_string(posed) + " of " + std::to_string(poses.size()) +
+                       " posed",
+                   acmap::blue);
   if (posed < poses.size())
-    plot.addToLegend(std::to_string(poses.size() - posed) + " lost", red);
+    plot.addToLegend(std::to_string(poses.size() - posed) + " lost", acmap::red);
   if (!truth.empty())
-    plot.addToLegend("truth", gray);
+    plot.addToLegend("truth", acmap::gray);
   return plot.picture();
 }
 
-} // namespace pcl::acmap
+} // namespace pcl

@@ -1,7 +1,8 @@
-#include "entropy_rectification/energy_curve.h"
-#include "plan_picture.h"
+#include "pictures/drawing.h"
 
 #include <pcl/core/random.h>
+#include <pcl/pipeline/plan_picture.h>
+#include <pcl/pipeline/rectification_pictures.h>
 
 #include <gtest/gtest.h>
 
@@ -64,12 +65,12 @@ TEST(PlanExtent, OfNothingOrOnePointCanBeDrawn)
   contents.addPlace({1e300, 0, 0});
   contents.addPoint({0, 0, -1e300});
   contents.addPlace({0, 0, std::numeric_limits<double>::quiet_NaN()});
-  EXPECT_GT(PlanPicture(contents.extent()).draw({}, red).width, 0);
+  EXPECT_GT(PlanPicture(contents.extent()).draw({}, channelsOf(red)).width, 0);
   contents.addPlace({1, 2, 3});
   const PlanExtent extent = contents.extent();
   PlanPicture plan(extent);
   plan.add({1, 2, 3});
-  const RgbImage image = plan.draw({Eigen::Isometry3d::Identity()}, blue);
+  const RgbImage image = plan.draw({Eigen::Isometry3d::Identity()}, channelsOf(blue));
   EXPECT_EQ(image.width, extent.width);
   EXPECT_GT(image.width * image.height, 0);
 }
@@ -81,7 +82,7 @@ TEST(PlanPicture, ShowsXToTheRightAndZUpwards)
   plan.add({2.5, 0, 104}); // left of the centre, above it
   plan.add({std::numeric_limits<double>::quiet_NaN(), 0, 104});
   plan.add({1e9, 0, 104});
-  const RgbImage image = plan.draw({}, red);
+  const RgbImage image = plan.draw({}, channelsOf(red));
   int dark = 0;
   for (int row = 0; row < image.height / 2; ++row)
     for (int column = 0; column < image.width; ++column)
@@ -104,7 +105,7 @@ TEST(PlanPicture, MorePointsAreDarkerAndTheWayIsALine)
     plan.add({2, 0, 104});
   for (int i = 0; i < 10; ++i)
     plan.add({5, 0, 104});
-  const RgbImage image = plan.draw({}, red);
+  const RgbImage image = plan.draw({}, channelsOf(red));
   const auto level = [&](double x) {
     int minimum = 255;
     const auto column = static_cast<int>((x - extent.minimum.x()) / extent.pixel);
@@ -118,14 +119,14 @@ TEST(PlanPicture, MorePointsAreDarkerAndTheWayIsALine)
   std::vector<Eigen::Isometry3d> poses(2, Eigen::Isometry3d::Identity());
   poses[0].translation() << 1, 0, 101;
   poses[1].translation() << 9, 0, 101;
-  EXPECT_GT(countOf(plan.draw(poses, blue), blue), 8 / extent.pixel);
+  EXPECT_GT(countOf(plan.draw(poses, channelsOf(blue)), blue), 8 / extent.pixel);
 }
 
 TEST(PlanPicture, TwoStandBesideEachOther)
 {
   PlanPicture plan(floorContents().extent());
   plan.add({5, 0, 104});
-  const RgbImage image = plan.draw({}, red);
+  const RgbImage image = plan.draw({}, channelsOf(red));
   const RgbImage both = beside(image, image);
   ASSERT_EQ(both.height, image.height);
   ASSERT_GT(both.width, 2 * image.width);
@@ -135,6 +136,50 @@ TEST(PlanPicture, TwoStandBesideEachOther)
       ASSERT_EQ(colorAt(both, column, row), colorAt(image, column, row));
       ASSERT_EQ(colorAt(both, column + shift, row), colorAt(image, column, row));
     }
+}
+
+std::vector<RectificationStep>
+descent(const std::string& search, double from, int count)
+{
+  std::vector<RectificationStep> steps;
+  for (int i = 0; i < count; ++i) {
+    RectificationStep step;
+    step.search = search;
+    step.bin_size = i < count / 2 ? 0.4 : 0.1;
+    step.energy = from + std::exp(-0.1 * i);
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+TEST(RectificationPictures, ShowTheSamePartBeforeAndAfter)
+{
+  const PointCloud<PointNormal>::Ptr wall(new PointCloud<PointNormal>);
+  for (int i = 0; i <= 100; ++i) {
+    PointNormal point;
+    point.getVector3fMap() << 0.04F * static_cast<float>(i), 0, 3;
+    wall->push_back(point);
+  }
+  std::vector<Eigen::Isometry3d> before(2, Eigen::Isometry3d::Identity());
+  std::vector<Eigen::Isometry3d> after = before;
+  before[1].translation() << 0, 0, 1;
+  const Eigen::Vector3d up = -Eigen::Vector3d::UnitY();
+  const RectificationPictures pictures =
+      drawRectification({wall, wall}, before, after, up, descent("wide", 10, 8));
+  const auto darkRows = [](const RgbImage& image) {
+    int rows = 0;
+    for (int row = 0; row < image.height - 40; ++row)
+      rows += colorAt(image, image.width / 2, row)[0] < 128 ? 1 : 0;
+    return rows;
+  };
+  EXPECT_EQ(darkRows(pictures.plan_before), 2) << "two walls";
+  EXPECT_EQ(darkRows(pictures.plan_after), 1);
+  EXPECT_EQ(pictures.plan_before.width, pictures.plan_after.width);
+  EXPECT_GT(countOf(pictures.plan_before, red), 20U);
+  EXPECT_GT(countOf(pictures.plan_after, blue), 20U);
+  EXPECT_GT(countOf(pictures.energy, blue), 20U);
+  EXPECT_THROW(drawRectification({wall}, before, after, up, {}), BadArgumentException);
+  EXPECT_GT(drawRectification({}, {}, {}, up, {}).plan.width, 0);
 }
 
 TEST(Drawing, LinesThatLeaveThePictureAreCut)
@@ -160,20 +205,6 @@ TEST(Drawing, RoundLengthsAreOneTwoOrFive)
   for (const auto& [maximum, length] :
        {std::pair{1.0, 1.0}, {1.99, 1.0}, {2.0, 2.0}, {49.0, 20.0}, {0.07, 0.05}})
     EXPECT_NEAR(roundLength(maximum), length, 1e-12 * length) << maximum;
-}
-
-std::vector<RectificationStep>
-descent(const std::string& search, double from, int count)
-{
-  std::vector<RectificationStep> steps;
-  for (int i = 0; i < count; ++i) {
-    RectificationStep step;
-    step.search = search;
-    step.bin_size = i < count / 2 ? 0.4 : 0.1;
-    step.energy = from + std::exp(-0.1 * i);
-    steps.push_back(step);
-  }
-  return steps;
 }
 
 TEST(EnergyPicture, HasAColourForEachSearch)
