@@ -1,4 +1,3 @@
-#include "cloud_labels.h"
 #include "command_line.h"
 #include "memory.h"
 #include "output_target.h"
@@ -13,6 +12,7 @@
 #include <pcl/core/map_file.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/point_types.h>
+#include <pcl/pipeline/cloud_labels.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/texture/compact_map_folder.h>
 #include <pcl/visualization/layered_scene.h>

@@ -1,4 +1,3 @@
-#include "cloud_labels.h"
 #include "drawn_apart.h"
 #include "output_target.h"
 #include "plane_extraction/extraction.h"
@@ -9,6 +8,9 @@
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/point_cloud_writer.h>
+#include <pcl/pipeline/cloud_labels.h>
+#include <pcl/pipeline/mapped_planes.h>
+#include <pcl/pipeline/observation_files.h>
 
 #include <CLI/CLI.hpp>
 
@@ -111,11 +113,12 @@ writeOutputs(const Options& options,
       outputs.write(path, save);
   };
   write(options.output, [&](const std::string& place) {
-    pcl::CompactMap map = surfacesOf(found);
+    pcl::CompactMap map = mapOf(found);
     map.shift = file.shift;
     pcl::saveMapFile(place, map);
   });
-  write(options.normals, [&](const std::string& place) { saveNormals(place, found); });
+  write(options.normals,
+        [&](const std::string& place) { saveMappedMesh(place, found); });
   write(options.labels,
         [&](const std::string& place) { saveLabels(place, file, labelsOf(found)); });
   stopIfInterrupted();
@@ -135,8 +138,8 @@ run(const Options& options, const RunControls& controls, StageLog& log)
     triangles = pcl::loadTriangleMesh(options.input);
   std::vector<Eigen::Vector3f> viewpoints;
   if (triangles.triangles.empty())
-    viewpoints =
-        viewpointsOfFile(*file, options.input, controls.reader.getScale(), log);
+    viewpoints = viewpointsOfFile(
+        *file, options.input, controls.reader.getScale(), log.report.remarks);
   timer.finish("read");
   stopIfInterrupted();
 

@@ -5,9 +5,7 @@
 #include <pcl/core/map_file.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/core/point_cloud_file.h>
-#include <pcl/pipeline/surface_names.h>
 #include <pcl/texture/compact_map_folder.h>
-#include <pcl/texture/floor_plan.h>
 
 #include <CLI/CLI.hpp>
 
@@ -56,24 +54,21 @@ checkOptions(const Tool& tool, const Options& options)
   tool.requireReportWritable({options.planes});
 }
 
-pcl::CompactMap
+pcl::PaintedMap
 paint(const Options& options,
       const pcl::CompactMap& surfaces,
-      const RunControls& controls,
-      StageLog& log)
+      const RunControls& controls)
 {
+  const pcl::MapPainting painting = paintingOf(options.texture, controls);
   const std::string ending = endingOf(options.observations);
   if (ending != ".pcd" && ending != ".ply" && ending != ".obj")
-    return paintPlanes(
+    return paintMap(
         surfaces,
         pcl::ObservationSequence(options.observations, controls.reader.getScale()),
-        nullptr,
-        options.texture,
-        controls,
-        log);
+        painting);
   const auto cloud = std::make_shared<const pcl::PointCloudFile>(
       controls.reader.read(options.observations));
-  return paintPlanes(surfaces, sharedCloud(cloud), options.texture, controls, log);
+  return paintMap(surfaces, sharedCloud(cloud), painting);
 }
 
 void
@@ -84,14 +79,13 @@ run(const Options& options, const RunControls& controls, StageLog& log)
   if (surfaces.planes.empty() && surfaces.cylinders.empty())
     throw NothingFound(options.planes + ": holds no plane");
   timer.finish("read");
-  pcl::CompactMap map = paint(options, surfaces, controls, log);
-  const pcl::FloorPlan plan = pcl::makeFloorPlan(map);
-  pcl::setRooms(plan, map);
-  pcl::nameSurfaces(plan, map);
+  pcl::PaintedMap painted = paint(options, surfaces, controls);
+  log.warn(painted.remarks);
+  tellTexture(painted.report, log);
   timer.finish("paint");
   stopIfInterrupted();
   for (const std::string& name :
-       pcl::saveCompactMap(options.output, map, options.texture.outputs))
+       pcl::saveCompactMap(options.output, painted.map, options.texture.outputs))
     log.tell("file", options.output + "/" + name);
   timer.finish("write");
   log.details["planes"] = surfaces.planes.size();

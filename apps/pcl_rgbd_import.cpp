@@ -4,26 +4,20 @@
 #include "rgbd_import/rgbd_options.h"
 #include "tool.h"
 
-#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/part_of_progress.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/pipeline/observation_files.h>
-#include <pcl/pipeline/observation_sequence.h>
-#include <pcl/pipeline/observation_writing.h>
 #include <pcl/pipeline/pose_convention_check.h>
-#include <pcl/pipeline/rgbd_observation.h>
+#include <pcl/pipeline/rgbd_import.h>
 #include <pcl/pipeline/rgbd_sequence.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <memory>
-#include <numeric>
 #include <optional>
+#include <utility>
 
 namespace pcl::acmap {
 
@@ -40,36 +34,6 @@ struct ImportOptions : RgbdOptions {
   DepthSensor sensor = DepthSensor::Automatic;
   PoseConventionCheck poses;
   std::size_t every = 1;
-};
-
-/** \brief Results so far. */
-struct RgbdImport {
-  Trajectory trajectory; ///< T_first_camera; identity without poses
-  std::optional<Eigen::Isometry3d> T_first_world;
-  RgbdImageSizes sizes;    ///< of the images of all frames
-  std::size_t empty = 0;   ///< observations without a point
-  std::size_t refined = 0; ///< observations whose depth was quantised
-  ImageSize size;          ///< of the observations
-  /** \brief Histogram of the numbers in the depth images over all points. */
-  std::vector<std::uint64_t> depths = std::vector<std::uint64_t>(65536);
-  std::vector<std::string> broken; ///< reasons why frames were left out
-
-  std::uint64_t
-  points() const
-  {
-    return std::accumulate(depths.begin(), depths.end(), std::uint64_t{0});
-  }
-
-  /** \brief Median of the numbers in the depth images over all points. */
-  std::uint16_t
-  medianDepth() const
-  {
-    std::uint64_t left = (points() + 1) / 2;
-    std::size_t number = 0;
-    while (number + 1 < depths.size() && depths[number] < left)
-      left -= depths[number++];
-    return static_cast<std::uint16_t>(number);
-  }
 };
 
 void
@@ -102,91 +66,6 @@ addOptions(Tool& tool, ImportOptions& options)
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
   addStampGap(app, options);
-}
-
-/** \brief Pose in the map, which is the frame of the first written camera. */
-Eigen::Isometry3d
-poseInMap(const Eigen::Isometry3d& T_world_camera, RgbdImport& import)
-{
-  if (!import.T_first_world) {
-    import.T_first_world = T_world_camera.inverse();
-    return Eigen::Isometry3d::Identity();
-  }
-  return *import.T_first_world * T_world_camera;
-}
-
-void
-countDepths(const PCLPointCloud2& cloud, double depth_scale, RgbdImport& import)
-{
-  const std::size_t offset = findField(cloud, "z")->offset;
-  const auto maximum = static_cast<double>(import.depths.size() - 1);
-  bool is_empty = true;
-  for (std::size_t i = 0; i < rowsOf(cloud); ++i) {
-    float z = 0;
-    std::memcpy(&z, &cloud.data[i * cloud.point_step + offset], sizeof z);
-    if (!(z > 0.0F))
-      continue;
-    const double number = std::min(std::round(z * depth_scale), maximum);
-    ++import.depths[static_cast<std::size_t>(number)];
-    is_empty = false;
-  }
-  if (is_empty)
-    ++import.empty;
-}
-
-/** \brief Converts a frame to an observation. All of the frame is read and checked before
- * anything is counted.
- * \throws InputFileException when an image or the pose is missing, malformed, or
- * differs in size from the previous ones */
-ObservationToWrite
-importFrame(const RgbdFrame& frame,
-            bool has_poses,
-            const RgbdCameras& cameras,
-            unsigned threads,
-            RgbdImport& import)
-{
-  const Eigen::Isometry3d T_world_camera =
-      has_poses ? loadPose(frame, cameras) : Eigen::Isometry3d::Identity();
-  RgbdObservation observation =
-      loadRgbdObservation(frame, cameras, import.sizes, threads);
-  const Eigen::Isometry3d T_map_camera = poseInMap(T_world_camera, import);
-  countDepths(observation.cloud, cameras.meaning.scale, import);
-  import.refined += observation.is_refined ? 1 : 0;
-  import.sizes = observation.sizes;
-  import.size = {static_cast<std::int32_t>(observation.cloud.width),
-                 static_cast<std::int32_t>(observation.cloud.height)};
-  return {std::make_shared<PCLPointCloud2>(std::move(observation.cloud)),
-          T_map_camera,
-          frame.stamp};
-}
-
-void
-importFrames(const ImportOptions& options,
-             const RgbdSequence& sequence,
-             const RgbdCameras& cameras,
-             const OutputFolder& folder,
-             const RunControls& controls,
-             RgbdImport& import)
-{
-  const auto convert = [&](std::size_t i) -> std::optional<ObservationToWrite> {
-    try {
-      return importFrame(sequence.frames[i * options.every],
-                         sequence.has_poses,
-                         cameras,
-                         controls.threads,
-                         import);
-    }
-    catch (const InputFileException&) {
-      if (!options.skip_broken)
-        throw;
-      import.broken.push_back(failureOf(std::current_exception()).line);
-      return {};
-    }
-  };
-  const std::size_t count =
-      (sequence.frames.size() + options.every - 1) / options.every;
-  import.trajectory = writeObservations(
-      folder, count, convert, {partOf(controls.progress, checked, 1), "importing"});
 }
 
 void
@@ -265,11 +144,6 @@ tellResults(const ImportOptions& options,
             StageLog& log)
 {
   const std::size_t observations = import.trajectory.poses.size();
-  const std::uint64_t points = import.points();
-  const double pixels =
-      static_cast<double>(observations) * import.size.width * import.size.height;
-  const double share = static_cast<double>(points) / pixels;
-  const double median = import.medianDepth() / cameras.meaning.scale;
   const std::string colors = colorCameraText(options, cameras, sequence.layout);
   log.details = {{"input", options.input},
                  {"output", options.output},
@@ -278,10 +152,10 @@ tellResults(const ImportOptions& options,
                  {"width", import.size.width},
                  {"height", import.size.height},
                  {"color_camera", colors},
-                 {"points", points},
+                 {"points", import.points},
                  {"refined", import.refined},
-                 {"finite_share", share},
-                 {"median_depth", median},
+                 {"finite_share", import.finite_share},
+                 {"median_depth", import.median_depth},
                  {"depth_scale", cameras.meaning.scale},
                  {"has_poses", sequence.has_poses},
                  {"unmatched", sequence.unmatched},
@@ -293,9 +167,9 @@ tellResults(const ImportOptions& options,
     log.tell("intrinsics", text);
   log.tell("depth scale", depthScaleText(options, sequence, cameras));
   log.tell("observations", std::to_string(observations));
-  log.tell("points", std::to_string(points));
-  log.tell("finite", shortNumber(100.0 * share) + " % of the pixels");
-  log.tell("median depth", shortNumber(median) + " m");
+  log.tell("points", std::to_string(import.points));
+  log.tell("finite", shortNumber(100.0 * import.finite_share) + " % of the pixels");
+  log.tell("median depth", shortNumber(import.median_depth) + " m");
   if (import.refined > 0)
     log.tell("refined",
              "the quantised depth of " + std::to_string(import.refined) +
@@ -313,41 +187,6 @@ checkPlaces(const Tool& tool, const ImportOptions& options, const OutputFolder& 
   tool.requireReportWritable({});
 }
 
-/** \brief Checks recorded poses, and gives the frames those that they mean; frames whose pose
- * cannot be read are told when it is their turn.
- * \return nothing without poses */
-std::optional<PoseConventionReport>
-readPoses(const ImportOptions& options,
-          const RgbdCameras& cameras,
-          const RunControls& controls,
-          RgbdSequence& sequence)
-{
-  if (!sequence.has_poses)
-    return {};
-  RgbdSequence posed = sequence;
-  posed.frames.clear();
-  std::vector<RgbdFrame*> read;
-  for (RgbdFrame& frame : sequence.frames)
-    try {
-      frame.T_world_camera = loadPose(frame);
-      posed.frames.push_back(frame);
-      read.push_back(&frame);
-    }
-    catch (const InputFileException&) {
-      continue;
-    }
-  if (posed.frames.empty())
-    return {};
-  PoseConventionCheck check = options.poses;
-  check.setNumberOfThreads(controls.threads);
-  check.setProgressCallback(partOf(controls.progress, 0, checked));
-  check.compute(ObservationSequence(posed, cameras, controls.threads));
-  const PoseReading& stated = check.getReport().stated;
-  for (RgbdFrame* const frame : read)
-    frame->T_world_camera = readPose(*frame->T_world_camera, stated);
-  return check.getReport();
-}
-
 void
 convert(const ImportOptions& options,
         const RgbdSequence& sequence,
@@ -358,12 +197,17 @@ convert(const ImportOptions& options,
         StageLog& log)
 {
   StepTimer timer(log.report);
-  RgbdImport import;
-  importFrames(options, sequence, cameras, folder, controls, import);
+  const RgbdImport import = importRgbd(sequence,
+                                       cameras,
+                                       folder,
+                                       {options.every,
+                                        options.skip_broken,
+                                        controls.threads,
+                                        partOf(controls.progress, checked, 1)});
   if (import.trajectory.poses.empty())
     throw NothingFound(options.input +
                        ": no frame is whole, the first: " + import.broken.front());
-  if (import.points() == 0)
+  if (import.points == 0)
     throw NothingFound(options.input + ": no depth image has a point in reach");
   timer.finish("import");
 
@@ -403,7 +247,10 @@ main(int argc, char** argv)
     OutputFolder folder(options.output);
     checkPlaces(tool, options, folder);
     timer.finish("list");
-    const auto poses = readPoses(options, cameras, tool.controls(), sequence);
+    pcl::PoseConventionCheck check = options.poses;
+    check.setNumberOfThreads(tool.controls().threads);
+    check.setProgressCallback(partOf(tool.controls().progress, 0, checked));
+    const auto poses = readRecordedPoses(std::move(check), cameras, sequence);
     timer.finish("check poses");
     convert(options, sequence, cameras, poses, folder, tool.controls(), log);
   });

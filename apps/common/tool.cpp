@@ -1,7 +1,7 @@
 #include "tool.h"
 
 #include "command_line.h"
-#include "input_kind.h"
+#include "input_advice.h"
 #include "memory.h"
 #include "output_target.h"
 #include "run_memory.h"

@@ -1,10 +1,10 @@
 #include "chain_options.h"
 
-#include "input_kind.h"
 #include "output_target.h"
 #include "pose_options.h"
 #include "reading_options.h"
 
+#include <pcl/pipeline/input_kind.h>
 #include <pcl/texture/map_page.h>
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,6 @@
 #include "map_run.h"
 
 #include "active_stereo/stereo_options.h"
-#include "cloud_labels.h"
 #include "drawn_apart.h"
 #include "entropy_rectification/pose_adjustment.h"
 #include "length_check.h"
@@ -242,8 +241,8 @@ MapRun::loadCloud()
   const auto file = std::make_shared<PointCloudFile>();
   cloud.rows = controls_.reader.readRows(options_.input, *file);
   requirePoints(cloud.rows);
-  cloud.viewpoints =
-      viewpointsOfFile(*file, options_.input, controls_.reader.getScale(), map_log_);
+  cloud.viewpoints = viewpointsOfFile(
+      *file, options_.input, controls_.reader.getScale(), map_log_.report.remarks);
   cloud.file = file;
   return cloud;
 }

@@ -5,7 +5,7 @@
 #include <pcl/core/impl/map_shift.h>
 #include <pcl/core/surface_sentence.h>
 #include <pcl/pipeline/map_report.h>
-#include <pcl/pipeline/plane_mapping_types.h>
+#include <pcl/pipeline/mapped_planes.h>
 #include <pcl/texture/floor_plan.h>
 #include <pcl/texture/map_ifc.h>
 #include <pcl/texture/map_page.h>
@@ -220,7 +220,7 @@ writeMap(const ChainOptions& options,
     fs::create_directories(folder.path(pictureName("")));
     saveFloorPlan(folder.path(pictureName("floor_plan.png")), plan);
   }
-  saveNormals(folder.path("mesh.ply"), found);
+  saveMappedMesh(folder.path("mesh.ply"), found);
   stopIfInterrupted();
   std::vector<std::string> names = filesOf(folder);
   folder.commit();

@@ -1,6 +1,5 @@
 #include "open_observations.h"
 
-#include "input_kind.h"
 #include "output_target.h"
 #include "tool.h"
 
@@ -8,6 +7,7 @@
 #include <pcl/core/impl/pcd_viewpoint.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/core/scan_file.h>
+#include <pcl/pipeline/input_kind.h>
 #include <pcl/pipeline/observation_source.h>
 #include <pcl/pipeline/observation_writing.h>
 

@@ -1,12 +1,11 @@
 #include "log_observations.h"
 
-#include "input_kind.h"
-
 #include <pcl/core/carmen_log.h>
 #include <pcl/pipeline/bag_scans.h>
+#include <pcl/pipeline/input_kind.h>
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl::acmap {
 
@@ -53,39 +52,18 @@ allScans(const RectificationOptions& options, StageLog& log)
 
 } // namespace
 
-LogObservations
+LaserObservations
 readScans(const RectificationOptions& options, StageLog& log)
 {
-  LogObservations observations;
   std::vector<PlanarScan> all = allScans(options, log);
-  std::vector<double>& stamps = observations.trajectory.stamps;
-  std::size_t beams = 0;
-  for (std::size_t i = 0; i < all.size(); i += options.bag.every) {
-    const PlanarScan& scan = all[i];
-    PlanarScanPoints echoes = pointsOf(scan);
-    beams += scan.ranges.size();
-    observations.points += echoes.cloud->size();
-    stamps.push_back(scan.stamp);
-    observations.trajectory.poses.push_back(isometryOf(scan.pose));
-    observations.clouds.push_back(std::move(echoes.cloud));
-    observations.weights.push_back(std::move(echoes.weights));
-    observations.scans.push_back(std::move(all[i]));
-  }
-  // some logs have the same stamp for all scans
-  if (std::adjacent_find(stamps.begin(), stamps.end(), std::greater_equal<>()) !=
-      stamps.end()) {
-    for (std::size_t i = 0; i < stamps.size(); ++i)
-      stamps[i] = static_cast<double>(i * options.bag.every);
-    log.warn("the stamps of the log do not grow; the trajectory has the numbers of the "
-             "scans instead");
-  }
-  const std::size_t missing = beams - observations.points;
+  const std::size_t scans = all.size();
+  LaserObservations observations = observationsOf(std::move(all), options.bag.every);
+  log.warn(observations.remarks);
   log.tell("read",
-           std::to_string(observations.clouds.size()) + " of " +
-               std::to_string(all.size()) + " scans, " +
-               std::to_string(observations.points) + " echoes, " +
-               std::to_string(missing) + " beams without");
-  log.details["missing_beams"] = missing;
+           std::to_string(observations.clouds.size()) + " of " + std::to_string(scans) +
+               " scans, " + std::to_string(observations.points) + " echoes, " +
+               std::to_string(observations.missing_beams) + " beams without");
+  log.details["missing_beams"] = observations.missing_beams;
   return observations;
 }
 

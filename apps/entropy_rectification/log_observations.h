@@ -2,22 +2,13 @@
 
 #include "rectification_options.h"
 
-#include <pcl/core/planar_scan.h>
-#include <pcl/pipeline/sequence_consolidation.h>
-
-#include <vector>
+#include <pcl/pipeline/laser_observations.h>
 
 namespace pcl::acmap {
 
-/** \brief The scans of a log, to be rectified. */
-struct LogObservations : ConsolidatedObservations {
-  std::vector<PlanarScan> scans;
-  std::size_t points = 0; ///< echoes
-};
-
 /** \brief Reads every n-th scan of a CARMEN log or of a bag, as a step of the tool.
  * \throws InputFileException as loadCarmenLog and loadBagScans */
-LogObservations
+LaserObservations
 readScans(const RectificationOptions& options, StageLog& log);
 
 } // namespace pcl::acmap

@@ -1,9 +1,10 @@
 #include "rectification_options.h"
 
-#include "input_kind.h"
 #include "pose_options.h"
 #include "reading_options.h"
 #include "setter_option.h"
+
+#include <pcl/pipeline/input_kind.h>
 
 #include <CLI/CLI.hpp>
 

@@ -7,15 +7,10 @@
 #include "pose_options.h"
 #include "stage_reports.h"
 
-#include <pcl/common/io.h>
-#include <pcl/conversions.h>
-#include <pcl/core/carmen_log.h>
 #include <pcl/core/fields_json.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/part_of_progress.h>
-#include <pcl/core/output_file.h>
 #include <pcl/core/output_folder.h>
-#include <pcl/core/planar_pose.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/pipeline/chain.h>
@@ -24,9 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <locale>
-#include <sstream>
 
 namespace pcl::acmap {
 
@@ -169,38 +161,6 @@ tellLevel(const MapLevellingReport& report, StageLog& log)
   details["tilt_deg"] = tilt;
 }
 
-/** Writes the scans of a log with their new poses as a log, and the poses as a table. */
-void
-writeScans(std::vector<PlanarScan> scans,
-           const Poses& poses,
-           const OutputFolder& folder)
-{
-  std::vector<PlanarPose> before;
-  std::ostringstream table;
-  table.imbue(std::locale::classic());
-  table.precision(std::numeric_limits<double>::max_digits10);
-  table << "# stamp x y theta: seconds, metres, radians; x forward, y left, theta "
-           "counter-clockwise\n";
-  for (std::size_t i = 0; i < scans.size(); ++i) {
-    before.push_back(scans[i].pose);
-    const PlanarPose pose = planarPartOf(poses[i]);
-    scans[i].pose = pose;
-    table << scans[i].stamp << ' ' << pose.z << ' ' << 0.0 - pose.x << ' '
-          << 0.0 - pose.theta << '\n';
-  }
-  saveCarmenLog(folder.path("corrected.log"), scans, before);
-  const std::string text = table.str();
-  OutputFile file(folder.path("poses_2d.txt"));
-  file.write(text.data(), text.size());
-  file.commit();
-}
-
-MapRows
-emptyMap(std::size_t points, bool is_colored)
-{
-  return MapRows(points, is_colored, memoryCheck());
-}
-
 /** Writes the map and the observations, if they are wanted.
  * \param[in] posed the observations at their new poses */
 void
@@ -212,8 +172,8 @@ writeObservations(const RectificationOptions& options,
 {
   if (!options.write_map && !options.write_observations)
     return;
-  MapRows map =
-      emptyMap(options.write_map ? consolidated.points : 0, consolidated.colored);
+  MapRows map(
+      options.write_map ? consolidated.points : 0, consolidated.colored, memoryCheck());
   const Progress progress(partOf(controls.progress, rectified, 1));
   for (std::size_t i = 0; i < posed.size(); ++i) {
     progress.tell(static_cast<double>(i) / static_cast<double>(posed.size()),
@@ -229,23 +189,6 @@ writeObservations(const RectificationOptions& options,
   }
   if (options.write_map)
     savePointCloud(folder.path("map.pcd"), map.finish());
-}
-
-/** Writes the echoes of a log as a map. */
-void
-writeEchoes(const LogObservations& scans,
-            const Poses& poses,
-            const OutputFolder& folder)
-{
-  MapRows map = emptyMap(scans.points, false);
-  for (std::size_t i = 0; i < scans.clouds.size(); ++i) {
-    PointCloud<PointXYZ> echoes;
-    copyPointCloud(*scans.clouds[i], echoes);
-    PointCloudFile file;
-    toPCLPointCloud2(echoes, file.cloud);
-    map.append(file, poses[i], static_cast<std::int32_t>(i));
-  }
-  savePointCloud(folder.path("map.pcd"), map.finish());
 }
 
 void
@@ -390,7 +333,7 @@ rectifyScans(const RectificationOptions& options,
   StepTimer timer(log.report);
   OutputFolder folder(options.output);
   requirePlace(options, folder);
-  LogObservations scans = readScans(options, log);
+  LaserObservations scans = readScans(options, log);
   if (scans.points == 0)
     throw NothingFound(options.input() + ": has no point");
   timer.finish("read");
@@ -410,13 +353,14 @@ rectifyScans(const RectificationOptions& options,
     poses.push_back(rectification.getPose(i));
   const EntropyRectificationReport& report = rectification.getReport();
   if (options.write_map)
-    writeEchoes(scans, poses, folder);
+    savePointCloud(folder.path("map.pcd"), echoesOf(scans, poses, memoryCheck()));
   writePoses(scans.trajectory, poses, folder);
   savePictures(
       drawRectification(
           scans.clouds, scans.trajectory.poses, poses, levelled.axis, report.steps),
       [&](const char* name) { return folder.path(name); });
-  writeScans(scans.scans, poses, folder);
+  saveCorrectedLog(folder.path("corrected.log"), scans, poses);
+  savePlanarPoses(folder.path("poses_2d.txt"), scans, poses);
   stopIfInterrupted();
   folder.commit();
   timer.finish("write");

@@ -1,105 +1,24 @@
 #include "extraction.h"
 
-#include "cloud_labels.h"
 #include "length_check.h"
 #include "memory.h"
 #include "setter_option.h"
 #include "stage_reports.h"
 
-#include <pcl/core/impl/cloud_fields.h>
-#include <pcl/core/mesh_file.h>
+#include <pcl/core/patch_text.h>
+#include <pcl/pipeline/cloud_labels.h>
+#include <pcl/pipeline/mapped_planes.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 
 namespace pcl::acmap {
 
 namespace {
 
 constexpr std::size_t max_lines = 20, lines_of_many = 5;
-
-std::string
-describe(const PlanePatch& plane)
-{
-  // adding zero removes the sign of negative zeros
-  const Eigen::Array3d n =
-      (1000 * plane.coefficients.head<3>().array()).round() / 1000 + 0.0;
-  char text[128];
-  std::snprintf(text,
-                sizeof text,
-                "%.3g m2, rmse %.3g mm, normal %.3f %.3f %.3f",
-                plane.area,
-                1000 * plane.rms,
-                n[0],
-                n[1],
-                n[2]);
-  return text;
-}
-
-std::string
-describe(const CylinderPatch& cylinder)
-{
-  constexpr double degrees = 180 / M_PI;
-  char text[160];
-  std::snprintf(text,
-                sizeof text,
-                "radius %.3g m, %.3g m long, %.0f degrees of arc, %s, rmse %.3g mm, "
-                "%.0f bits saved",
-                cylinder.radius,
-                cylinder.high - cylinder.low,
-                degrees * cylinder.arc,
-                cylinder.is_hollow ? "hollow" : "solid",
-                1000 * cylinder.rms,
-                cylinder.saved_bits);
-  return text;
-}
-
-std::string
-describe(const BoxPatch& box)
-{
-  std::size_t seen = 0, snapped = 0;
-  for (const BoxFace& face : box.faces) {
-    seen += face.kind == BoxFaceKind::Seen ? 1 : 0;
-    snapped += face.kind == BoxFaceKind::Snapped ? 1 : 0;
-  }
-  char text[160];
-  std::snprintf(text,
-                sizeof text,
-                "%.3f x %.3f x %.3f m, %zu sides seen%s, %zu on other planes, "
-                "template %d, %.0f bits saved",
-                box.size[0],
-                box.size[1],
-                box.size[2],
-                seen,
-                box.slant.isZero(0) ? "" : " and a slanted one",
-                snapped,
-                box.template_id,
-                box.saved_bits);
-  return text;
-}
-
-std::string
-describe(const RecessPatch& recess)
-{
-  char text[160];
-  std::snprintf(text,
-                sizeof text,
-                "%.3f x %.3f m, %.3f m deep, plane %d behind %d, %s, template %d, %.0f "
-                "bits saved",
-                recess.size[0],
-                recess.size[1],
-                recess.size[2],
-                recess.leaf,
-                recess.wall,
-                recess.reaches_floor ? "reaches the floor" : "above the floor",
-                recess.template_id,
-                recess.saved_bits);
-  return text;
-}
 
 std::size_t
 countLabelled(const PointLabels& labels)
@@ -120,7 +39,7 @@ tellEach(const std::string& what,
 {
   const std::size_t listed = items.size() <= max_lines ? items.size() : lines_of_many;
   for (std::size_t id = 0; id < listed; ++id)
-    log.tell(what + " " + std::to_string(id), describe(items[id]));
+    log.tell(what + " " + std::to_string(id), textOf(items[id]));
   if (listed < items.size())
     log.tell("further " + plural,
              std::to_string(items.size() - listed) + " smaller ones, in the file");
@@ -135,26 +54,6 @@ tellCylinders(const MappedPlanes& found, StageLog& log)
   if (!found.cylinders.empty())
     log.tell("on cylinders", percent(points, found.finite_points) + " of the points");
   tellEach("cylinder", "cylinders", found.cylinders, log);
-}
-
-/** Labels of planes, followed by those of cylinders. */
-template <typename Labels>
-std::vector<std::int32_t>
-joinedLabels(const Labels& planes,
-             const Labels& cylinders,
-             std::size_t number_of_planes)
-{
-  std::vector<std::int32_t> labels(planes.begin(), planes.end());
-  for (std::size_t i = 0; i < cylinders.size(); ++i)
-    if (cylinders[i] >= 0)
-      labels[i] = static_cast<std::int32_t>(number_of_planes) + cylinders[i];
-  return labels;
-}
-
-std::vector<std::int32_t>
-labelsOfVertices(const MappedPlanes& found)
-{
-  return joinedLabels(found.vertex_labels, found.vertex_cylinders, found.planes.size());
 }
 
 void
@@ -203,50 +102,6 @@ tellBits(const PlaneMappingReport& report, StageLog& log)
   if (report.recesses && report.recesses->recesses > 0)
     tell("recesses", report.recesses->bits_before, report.recesses->bits_after);
 }
-
-/** Writes the votes of a vertex and its label into the row of a vertex. */
-class VoteWriter {
-public:
-  explicit VoteWriter(const MappedPlanes& found)
-  : found_(found)
-  {
-    for (const PCLPointField& field : found.normals.layout().fields)
-      wishes_.push_back({field.name, field.datatype});
-    wishes_.push_back({"label", PCLPointField::UINT32});
-    const PCLPointCloud2 layout = layoutWith(found.vertices.layout(), wishes_);
-    for (const FieldWish& wish : wishes_)
-      offsets_.push_back(findField(layout, wish.name)->offset);
-  }
-
-  const std::vector<FieldWish>&
-  wishes() const
-  {
-    return wishes_;
-  }
-
-  void
-  operator()(std::uint8_t* row, std::size_t vertex) const
-  {
-    const PCLPointCloud2& votes = found_.normals.layout();
-    const std::uint8_t* const from = found_.normals.data() + vertex * votes.point_step;
-    for (std::size_t f = 0; f < votes.fields.size(); ++f) {
-      const PCLPointField& field = votes.fields[f];
-      std::memcpy(row + offsets_[f], from + field.offset, getFieldSize(field.datatype));
-    }
-    const std::int32_t cylinder =
-        found_.vertex_cylinders.empty() ? -1 : found_.vertex_cylinders[vertex];
-    const auto label = static_cast<std::uint32_t>(
-        1 + (cylinder < 0
-                 ? found_.vertex_labels[vertex]
-                 : static_cast<std::int32_t>(found_.planes.size()) + cylinder));
-    std::memcpy(row + offsets_.back(), &label, sizeof label);
-  }
-
-private:
-  const MappedPlanes& found_;
-  std::vector<FieldWish> wishes_;
-  std::vector<std::size_t> offsets_;
-};
 
 /** Changes both steps that find planes, of which a mapping has copies. */
 template <typename Change>
@@ -450,33 +305,6 @@ tellPlanes(const MappedPlanes& found, StageLog& log)
     log.tell("recesses", std::to_string(found.recesses.size()));
     tellEach("recess", "recesses", found.recesses, log);
   }
-}
-
-CompactMap
-surfacesOf(const MappedPlanes& found)
-{
-  CompactMap map;
-  map.planes = found.planes;
-  map.cylinders = found.cylinders;
-  map.boxes = found.boxes;
-  map.recesses = found.recesses;
-  if (found.up)
-    map.up = found.up->cast<double>().normalized();
-  map.assumed_up = found.assumed_up.cast<double>();
-  return map;
-}
-
-std::vector<std::int32_t>
-labelsOf(const MappedPlanes& found)
-{
-  return joinedLabels(found.labels, found.cylinder_labels, found.planes.size());
-}
-
-void
-saveNormals(const std::string& path, const MappedPlanes& found)
-{
-  const VoteWriter write(found);
-  saveTriangleMesh(path, rowsWith(found.vertices, write.wishes(), write), found.mesh);
 }
 
 SceneView

@@ -2,7 +2,6 @@
 
 #include "tool.h"
 
-#include <pcl/core/compact_map.h>
 #include <pcl/pipeline/plane_mapping.h>
 #include <pcl/visualization/mesh_snapshot.h>
 
@@ -97,20 +96,6 @@ requirePlanes(const std::string& input, const MappedPlanes& found, const StageLo
  * and boxes and recesses if these were searched. */
 void
 tellPlanes(const MappedPlanes& found, StageLog& log);
-
-/** \brief A map of what was found, without textures. */
-CompactMap
-surfacesOf(const MappedPlanes& found);
-
-/** \brief Label of each point of the input, from 0: the number of its plane, or the
- * number of planes plus that of its cylinder; -1 for none. */
-std::vector<std::int32_t>
-labelsOf(const MappedPlanes& found);
-
-/** \brief Writes the mesh as PLY: with the voted normals, `curvature` (1 - saliency),
- * `vertex_class` (\ref VertexClass) and `label`. */
-void
-saveNormals(const std::string& path, const MappedPlanes& found);
 
 /** \brief A view from a position next to the sensor, with back faces culled. */
 SceneView

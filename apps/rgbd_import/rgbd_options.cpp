@@ -3,7 +3,6 @@
 #include "command_line.h"
 
 #include <pcl/core/calibration_file.h>
-#include <pcl/core/image_file.h>
 
 #include <CLI/CLI.hpp>
 
@@ -24,29 +23,6 @@ addPositive(CLI::App& app,
   return app.add_option(name, value, purpose)
       ->type_name(type)
       ->check(numberWithin(1e-6, 1e6).description(""));
-}
-
-/** \brief Size of the first depth image that can be read. */
-ImageSize
-depthSizeOf(const RgbdSequence& sequence)
-{
-  for (std::size_t i = 0;; ++i)
-    try {
-      const GrayImage16 image = loadGrayImage16(sequence.frames.at(i).depth);
-      return {image.width, image.height};
-    }
-    catch (const InputFileException&) {
-      if (i + 1 >= sequence.frames.size())
-        throw;
-    }
-}
-
-/** \brief The depth camera of a file, for images of the folder's size. */
-Pinhole
-loadDepthCamera(const std::string& path, const RgbdSequence& sequence)
-{
-  const ImageSize size = depthSizeOf(sequence);
-  return fittedPinhole(loadCameraPinhole(path), size.width, size.height, path);
 }
 
 } // namespace
@@ -114,39 +90,6 @@ addStampGap(CLI::App& app, RgbdOptions& options)
               options.max_stamp_gap,
               "S",
               "Seconds between what lists or names have of one moment, at most");
-}
-
-RgbdSequenceSettings
-settingsOf(const RgbdOptions& options)
-{
-  RgbdSequenceSettings settings;
-  settings.has_poses = !options.no_poses;
-  settings.max_stamp_gap = options.max_stamp_gap;
-  settings.has_camera =
-      !options.intrinsics.empty() || (options.fx && options.cx && options.cy);
-  return settings;
-}
-
-RgbdCameras
-camerasOf(const RgbdOptions& options, const RgbdSequence& sequence, DepthSensor sensor)
-{
-  RgbdCameras cameras = sequence.cameras();
-  Pinhole& depth = cameras.depth;
-  if (!options.intrinsics.empty())
-    depth = loadDepthCamera(options.intrinsics, sequence);
-  if (options.fx)
-    depth.fx = depth.fy = *options.fx;
-  depth.fy = options.fy.value_or(depth.fy);
-  depth.cx = options.cx.value_or(depth.cx);
-  depth.cy = options.cy.value_or(depth.cy);
-  if (options.is_registered)
-    cameras.color.reset();
-  else if (!options.color_camera.empty())
-    cameras.color = loadColorCamera(options.color_camera);
-  cameras.meaning = {options.depth_scale.value_or(sequence.depth_scale),
-                     options.max_depth};
-  cameras.sensor = sensor;
-  return cameras;
 }
 
 std::vector<std::string>

@@ -4,7 +4,6 @@
 #include "setter_option.h"
 #include "stage_reports.h"
 
-#include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/pipeline/cost_callback.h>
 #include <pcl/pipeline/detail_mesh.h>
@@ -21,20 +20,6 @@ namespace pcl::acmap {
 namespace {
 
 using Texturing = PlaneTexturing<PointXYZRGB>;
-
-Texturing
-texturingOf(const CompactMap& surfaces,
-            const TextureOptions& options,
-            const RunControls& controls)
-{
-  Texturing texturing = options.stage;
-  texturing.setNumberOfThreads(controls.threads);
-  texturing.setPlanes(surfaces.planes);
-  texturing.setCylinders(surfaces.cylinders);
-  texturing.setProgressCallback(controls.progress);
-  requireMemory(wholeBytes(texturing.estimateMemory()), "painting the planes");
-  return texturing;
-}
 
 std::size_t
 geometryBytes(const CompactMap& map)
@@ -123,68 +108,16 @@ addTextureOptions(Tool& tool, TextureOptions& options)
                "Leave observations out that cannot be read, instead of stopping");
 }
 
-CompactMap
-paintPlanes(const CompactMap& surfaces,
-            const ObservationSequence& sequence,
-            RankedWork* work,
-            const TextureOptions& options,
-            const RunControls& controls,
-            StageLog& log)
+MapPainting
+paintingOf(const TextureOptions& options, const RunControls& controls)
 {
-  Texturing texturing = texturingOf(surfaces, options, controls);
-  std::vector<std::string> remarks = sequence.remarks();
-  const auto load = [&](std::size_t i) -> std::optional<TexturedObservation> {
-    try {
-      const PosedObservation seen = sequence.load(i);
-      remarks.insert(remarks.end(), seen.remarks.begin(), seen.remarks.end());
-      // otherwise the merging has already reported them
-      if (i == 0 && log.report.remarks.empty())
-        log.warn(lengthRemarks(seen.file->points()));
-      return TexturedObservation{
-          sharedCloud(seen.file), seen.T_map_camera, sequence.stamp(i), true};
-    }
-    catch (const InputFileException& error) {
-      if (!options.skip_broken)
-        throw;
-      remarks.push_back("left out: " + std::string(error.what()));
-      return std::nullopt;
-    }
-  };
-  addObservations(work, sequence.size(), load, texturing);
-  CompactMap map;
-  texturing.texture(map);
-  map.boxes = surfaces.boxes;
-  map.recesses = surfaces.recesses;
-  map.shift = surfaces.shift;
-  const std::vector<std::string> told = log.report.remarks; // those of the merging
-  for (const std::string& remark : remarks)
-    if (std::find(told.begin(), told.end(), remark) == told.end())
-      log.warn(remark);
-  if (map.trajectory.poses.empty())
-    throw InputFileException("none of the observations can be read");
-  sequence.requireDifferent(map.trajectory.poses);
-  tellTexture(texturing.getReport(), log);
-  return map;
-}
-
-CompactMap
-paintPlanes(const CompactMap& surfaces,
-            const CloudRows& cloud,
-            const TextureOptions& options,
-            const RunControls& controls,
-            StageLog& log)
-{
-  Texturing texturing = texturingOf(surfaces, options, controls);
-  texturing.addObservationLoader([&]() -> std::optional<TexturedObservation> {
-    return TexturedObservation{cloud, Eigen::Isometry3d::Identity(), 0, false};
-  });
-  CompactMap map;
-  texturing.texture(map);
-  map.boxes = surfaces.boxes;
-  map.recesses = surfaces.recesses;
-  map.shift = surfaces.shift;
-  tellTexture(texturing.getReport(), log);
-  return map;
+  MapPainting painting;
+  painting.texturing = options.stage;
+  painting.skip_broken = options.skip_broken;
+  painting.threads = controls.threads;
+  painting.progress = controls.progress;
+  painting.cost = memoryCheck();
+  return painting;
 }
 
 void

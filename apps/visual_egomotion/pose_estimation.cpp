@@ -7,8 +7,8 @@
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/quantile.h>
 #include <pcl/core/output_folder.h>
-#include <pcl/core/trajectory_error.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/odometry_comparison.h>
 #include <pcl/pipeline/odometry_pictures.h>
 #include <pcl/pipeline/visual_odometry.h>
 
@@ -105,80 +105,6 @@ lengthOf(const Poses& poses)
   return length;
 }
 
-std::vector<PlanarPose>
-planarPartsOf(const Poses& poses)
-{
-  std::vector<PlanarPose> parts(poses.size());
-  std::transform(poses.begin(), poses.end(), parts.begin(), planarPartOf);
-  return parts;
-}
-
-/** Reads one true pose per observation, metres. If the number of rows differs from that
- * of the observations, rows are selected by the numbers in the file names, with a
- * warning: rows that are only in the same order might belong to other observations. */
-Poses
-loadTruth(const std::string& path,
-          const std::vector<std::string>& names,
-          double scale,
-          StageLog& log)
-{
-  const Poses rows = loadTrajectory(path).poses;
-  if (rows.size() != names.size()) {
-    const std::string counts = path + ": has " + std::to_string(rows.size()) +
-                               " poses for " + std::to_string(names.size()) +
-                               " observations";
-    for (const std::string& name : names)
-      if (!isNumbered(name))
-        throw InputFileException(counts + ", and " + name +
-                                 " has no number that would tell which is its own");
-    log.warn(counts + "; the numbers in their names tell which");
-  }
-  Poses truth;
-  for (const std::size_t row : trajectoryRows(path, names, rows.size())) {
-    truth.push_back(rows[row]);
-    truth.back().translation() *= scale;
-  }
-  return truth;
-}
-
-/** Deviation of a run from the truth. */
-struct TruthComparison {
-  Poses truth;                      ///< of all observations, in the map of the run
-  RelativePoseError relative;       ///< from each posed observation to the next
-  AbsoluteTrajectoryError absolute; ///< of the posed observations
-  /** Does the truth move, so that errors can be relative to its length? */
-  bool is_moving = true;
-};
-
-/** \param[in] truth in any map
- * \param[in] run with at least one pose
- * \param[in] is_rigid true if the camera moved freely; otherwise positions are compared
- * on the floor */
-TruthComparison
-compare(Poses truth, const VisualOdometryResult& run, bool is_rigid)
-{
-  const auto first = std::find_if(run.poses.begin(),
-                                  run.poses.end(),
-                                  [](const auto& pose) { return pose.has_value(); });
-  const Eigen::Isometry3d T_map_world =
-      **first * truth[static_cast<std::size_t>(first - run.poses.begin())].inverse();
-  Poses found, true_of_found;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    truth[i] = T_map_world * truth[i];
-    if (!run.poses[i])
-      continue;
-    found.push_back(*run.poses[i]);
-    true_of_found.push_back(truth[i]);
-  }
-  constexpr double min_length = 0.001; // metres
-  return {std::move(truth),
-          relativePoseError(found, true_of_found),
-          is_rigid ? absoluteTrajectoryError(found, true_of_found)
-                   : absoluteTrajectoryError(planarPartsOf(found),
-                                             planarPartsOf(true_of_found)),
-          lengthOf(true_of_found) >= min_length};
-}
-
 /** Standard deviations of all degrees of freedom of the model, metres and radians. */
 Json
 deviationsOf(const EgomotionEstimate& estimate, bool is_rigid)
@@ -228,7 +154,7 @@ jsonOf(const OdometryPair& pair, const ObservationList& list, bool is_rigid)
 }
 
 Json
-jsonOf(const TruthComparison& comparison)
+jsonOf(const OdometryComparison& comparison)
 {
   const RelativePoseError& relative = comparison.relative;
   Json json =
@@ -307,7 +233,7 @@ warnOfGaps(const ObservationList& list, const VisualOdometryResult& run, StageLo
 void
 tellRun(const VisualOdometryResult& run,
         double length,
-        const std::optional<TruthComparison>& comparison,
+        const std::optional<OdometryComparison>& comparison,
         StageLog& log)
 {
   log.tell("posed",
@@ -345,7 +271,7 @@ detailsOf(const EgomotionOptions& options,
           const ObservationList& list,
           const VisualOdometryResult& run,
           double length,
-          const std::optional<TruthComparison>& comparison)
+          const std::optional<OdometryComparison>& comparison)
 {
   Json lost = Json::array(), pairs = Json::array(), posed_files = Json::array();
   for (std::size_t i = 0; i < list.names.size(); ++i)
@@ -452,7 +378,7 @@ tellAll(const EgomotionOptions& options,
         const ObservationList& list,
         const VisualOdometryResult& found,
         double length,
-        const std::optional<TruthComparison>& comparison,
+        const std::optional<OdometryComparison>& comparison,
         StageLog& log)
 {
   warnOfGaps(list, found, log);
@@ -492,7 +418,8 @@ estimatePoses(const EgomotionOptions& options,
   const ObservationList list = listObservations(options, sequence, log);
   Poses truth;
   if (!options.truth.empty())
-    truth = loadTruth(options.truth, list.names, controls.reader.getScale(), log);
+    truth = loadTruePoses(
+        options.truth, list.names, controls.reader.getScale(), log.report.remarks);
   OutputFolder folder(options.output);
   requireFit(folder, sequence);
   timer.finish("list");
@@ -501,9 +428,9 @@ estimatePoses(const EgomotionOptions& options,
   requireMotion(list, found, log);
   timer.finish("estimate");
 
-  std::optional<TruthComparison> comparison;
+  std::optional<OdometryComparison> comparison;
   if (!truth.empty())
-    comparison = compare(truth, found, found.model == MotionModel::Rigid);
+    comparison = compareWithTruth(found, truth);
   const Trajectory trajectory = found.estimated(list.stamps).trajectory;
   saveTrajectory(folder.path(trajectory_name), trajectory);
   savePng(folder.path("plan.png"),

@@ -202,6 +202,26 @@ loadTimes(const std::string& path)
   return times;
 }
 
+std::vector<Eigen::Vector3f>
+viewpointsOfFile(const PointCloudFile& file,
+                 const std::string& path,
+                 double scale,
+                 std::vector<std::string>& remarks)
+{
+  std::vector<Eigen::Vector3f> viewpoints;
+  if (!findField(file.cloud, "view", PCLPointField::INT32) || !file.viewpoints.empty())
+    return file.viewpoints;
+  const auto trajectory = fs::path(path).replace_filename("trajectory.txt");
+  if (!fs::exists(trajectory))
+    remarks.push_back(
+        "no " + trajectory.string() +
+        ": the points name their views, but where these stood is unknown");
+  else
+    for (const Eigen::Isometry3d& pose : loadTrajectory(trajectory.string()).poses)
+      viewpoints.push_back((pose.translation() * scale).cast<float>());
+  return viewpoints;
+}
+
 void
 saveObservation(const std::string& path,
                 const PCLPointCloud2& cloud,

@@ -9,7 +9,11 @@
 #include <string>
 #include <vector>
 
-namespace pcl::acmap {
+namespace pcl {
+
+struct PointCloudFile;
+
+namespace acmap {
 
 /** \brief Name of a file that belongs to an observation: begin_0000.ending and so
  * on. */
@@ -72,6 +76,19 @@ saveTimes(const std::string& path, const std::vector<double>& times);
 ACMAP_EXPORT std::vector<double>
 loadTimes(const std::string& path);
 
+/** \brief Sensor positions of the observations that the int32 field `view` of a file's
+ * cloud refers to: those of the file, or of the `trajectory.txt` next to it.
+ * \param[in] path of the file that the cloud was read from
+ * \param[in] scale metres in a unit of the trajectory
+ * \param[out] remarks gets one when the positions are not known
+ * \return metres; none for a cloud without that field
+ * \throws InputFileException when the trajectory cannot be read */
+ACMAP_EXPORT std::vector<Eigen::Vector3f>
+viewpointsOfFile(const PointCloudFile& file,
+                 const std::string& path,
+                 double scale,
+                 std::vector<std::string>& remarks);
+
 /** \brief Writes an observation with its pose as VIEWPOINT.
  * \param[in] path of the file
  * \param[in] cloud organized, camera frame, metres
@@ -82,4 +99,6 @@ saveObservation(const std::string& path,
                 const PCLPointCloud2& cloud,
                 const Eigen::Isometry3d& T_map_camera);
 
-} // namespace pcl::acmap
+} // namespace acmap
+
+} // namespace pcl

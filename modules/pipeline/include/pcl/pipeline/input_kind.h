@@ -1,11 +1,13 @@
 #pragma once
 
+#include <pcl/core/export.h>
+
 #include <string>
 
-namespace pcl::acmap {
+namespace pcl {
 
 /** \brief Kind of a file or folder, judged by its name and a short look at its
- * content. */
+ * content. \ingroup pipeline */
 enum class InputKind {
   Unknown,
   RgbdFolder,   ///< colour and depth images
@@ -20,19 +22,8 @@ enum class InputKind {
   Cloud   ///< points, or a mesh
 };
 
-/** \brief Checks extensions, names and the first bytes; never throws. */
-InputKind
+/** \brief Checks extensions, names and the first bytes; never throws. \ingroup pipeline */
+ACMAP_EXPORT InputKind
 inputKindOf(const std::string& path);
 
-/** \brief Advice for an input that this tool cannot use, but another tool or option
- * can.
- * \param[in] tool name of the program
- * \param[in] positional name of the argument that received the input
- * \return one sentence with a command; empty if the kind of input is unknown, or fits
- * the argument */
-std::string
-toolForInput(const std::string& tool,
-             const std::string& positional,
-             const std::string& path);
-
-} // namespace pcl::acmap
+} // namespace pcl

@@ -1,8 +1,5 @@
-#include "cloud_labels.h"
-
-#include "exit_code.h"
-
 #include <pcl/conversions.h>
+#include <pcl/pipeline/cloud_labels.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -70,7 +67,14 @@ TEST(CloudLabels, ANarrowColourIsReplaced)
 
 TEST(CloudLabels, WithoutLabelsThereIsNoColour)
 {
-  EXPECT_THROW(coloredByLabel(makeCloud(1)), UsageError);
+  EXPECT_THROW(coloredByLabel(makeCloud(1)), BadArgumentException);
+}
+
+TEST(CloudLabels, ThereIsOneForEachPoint)
+{
+  EXPECT_THROW(withLabels(makeCloud(2), {0}), BadArgumentException);
+  EXPECT_THROW(withLabels(makeCloud(2), {0, 1, 2}), BadArgumentException);
+  EXPECT_EQ(withLabels({}, {}).data.size(), 0U);
 }
 
 } // namespace

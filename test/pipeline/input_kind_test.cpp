@@ -1,6 +1,6 @@
-#include "input_kind.h"
-
 #include "temporary_folder.h"
+
+#include <pcl/pipeline/input_kind.h>
 
 #include <gtest/gtest.h>
 
@@ -66,20 +66,6 @@ TEST(InputKinds, OfFilesAreToldByEndingAndFirstBytes)
   EXPECT_EQ(kind("a.ply", ""), InputKind::Cloud);
   EXPECT_EQ(inputKindOf(folder.path("none.log")), InputKind::Unknown);
   EXPECT_EQ(inputKindOf("/dev/zero"), InputKind::Unknown);
-}
-
-TEST(InputKinds, AdviceIsOnlyForWrongDoors)
-{
-  const TemporaryFolder folder;
-  const std::string log = folder.write("my.log", "");
-  EXPECT_NE(toolForInput("pcl_entropy_rectification", "posed", log)
-                .find("pcl_entropy_rectification --carmen " + log),
-            std::string::npos);
-  const std::string cloud = folder.write("a.pcd", "");
-  EXPECT_EQ(toolForInput("pcl_dewall_surface", "input", cloud), "");
-  EXPECT_EQ(toolForInput("pcl_plane_texturing", "observations", cloud), "");
-  EXPECT_NE(toolForInput("pcl_plane_texturing", "planes", cloud), "");
-  EXPECT_EQ(toolForInput("pcl_dewall_surface", "input", folder.path("none")), "");
 }
 
 } // namespace
