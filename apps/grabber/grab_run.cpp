@@ -1,13 +1,14 @@
 #include "active_stereo/stereo_observation.h"
 #include "compact_mapping/live_map.h"
 #include "drawn_apart.h"
-#include "frame_queue.h"
 #include "grabber_options.h"
 #include "live_window.h"
 #include "memory.h"
 #include "output_target.h"
 #include "terminal.h"
 
+#include <pcl/acquisition/frame_stream.h>
+#include <pcl/acquisition/guarded_projector.h>
 #include <pcl/acquisition/pattern_selection.h>
 #include <pcl/acquisition/pattern_sequence_grabber.h>
 #include <pcl/acquisition/pattern_window.h>
@@ -18,6 +19,7 @@
 #include <pcl/core/fields_json.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/pattern_need.h>
 
 #include <filesystem>
 #include <thread>
@@ -78,39 +80,6 @@ struct Projection {
   shared_ptr<PatternSequenceGrabber> sequence;
 };
 
-/** \brief A projector's monitor, which is used only while no other thread draws. */
-class GuardedWindow : public PatternProjector {
-public:
-  GuardedWindow(std::mutex& drawing, const GrabberOptions& options)
-  : drawing_(drawing)
-  , window_(static_cast<std::size_t>(options.pattern.monitor), options.display)
-  {}
-
-  const MonitorPlace&
-  getMonitor() const
-  {
-    return window_.getMonitor();
-  }
-
-  void
-  show(const RgbImage& image) override
-  {
-    const std::lock_guard lock(drawing_);
-    window_.show(image);
-  }
-
-  void
-  showNothing() override
-  {
-    const std::lock_guard lock(drawing_);
-    window_.showNothing();
-  }
-
-private:
-  std::mutex& drawing_;
-  PatternWindow window_;
-};
-
 std::vector<RgbImage>
 drawPatterns(const GrabberOptions& options, const MonitorPlace& monitor, StageLog& log)
 {
@@ -135,7 +104,8 @@ drawPatterns(const GrabberOptions& options, const MonitorPlace& monitor, StageLo
 double
 settleTime(const GrabberOptions& options,
            const Device& device,
-           const shared_ptr<GuardedWindow>& window,
+           const MonitorPlace& monitor,
+           const shared_ptr<PatternProjector>& projector,
            StatusLine& status,
            StageLog& log)
 {
@@ -144,12 +114,11 @@ settleTime(const GrabberOptions& options,
     return *options.settle.number;
   if (!options.settle.is_auto)
     return usual_settle_time;
-  const MonitorPlace& monitor = window->getMonitor();
   const std::size_t pixels = static_cast<std::size_t>(monitor.width) *
                              static_cast<std::size_t>(monitor.height);
   const RgbImage white{
       monitor.width, monitor.height, std::vector<std::uint8_t>(3 * pixels, 255)};
-  const auto measured = measureSettleTime(device.camera->grabber(), window, white);
+  const auto measured = measureSettleTime(device.camera->grabber(), projector, white);
   device.camera->grabber()->rewind();
   if (!measured) {
     log.warn("the settle time could not be measured: the camera sees the projector's "
@@ -175,14 +144,17 @@ openProjection(const GrabberOptions& options,
                StatusLine& status,
                StageLog& log)
 {
-  const shared_ptr<GuardedWindow> window(new GuardedWindow(drawing, options));
-  std::vector<RgbImage> patterns = drawPatterns(options, window->getMonitor(), log);
-  device.camera->check(*window, patterns, status, log);
-  const double settle = settleTime(options, device, window, status, log);
+  const shared_ptr<PatternWindow> window(new PatternWindow(
+      static_cast<std::size_t>(options.pattern.monitor), options.display));
+  const shared_ptr<PatternProjector> projector(new GuardedProjector(drawing, window));
   Projection projection;
   projection.monitor = window->getMonitor();
+  std::vector<RgbImage> patterns = drawPatterns(options, projection.monitor, log);
+  device.camera->check(*projector, patterns, status, log);
+  const double settle =
+      settleTime(options, device, projection.monitor, projector, status, log);
   projection.sequence.reset(new PatternSequenceGrabber(
-      device.camera->grabber(), window, std::move(patterns)));
+      device.camera->grabber(), projector, std::move(patterns)));
   projection.sequence->setSettleTime(settle);
   projection.sequence->setShotTimeout(device.camera->shotTimeout());
   return projection;
@@ -241,24 +213,6 @@ struct MapOutput {
   bool is_finishing = false; ///< all observations are there
   bool is_finished = false;
 };
-
-/** \brief The frames of an observation as they are matched; nothing without a shot. */
-std::optional<ObservationShots>
-shotsOf(const std::vector<TrinocularFrame::ConstPtr>& frames,
-        const FrameRectifier& rectifier,
-        ShotGroups& groups)
-{
-  for (const TrinocularFrame::ConstPtr& frame : frames)
-    groups.add(frame);
-  std::optional<ObservationShots> shots = groups.finish();
-  if (shots && rectifier.isRectifying())
-    for (TrinocularFrame::ConstPtr& frame : shots->frames) {
-      const TrinocularFrame::Ptr rectified(new TrinocularFrame(*frame));
-      rectifier.rectify(*rectified);
-      frame = rectified;
-    }
-  return shots;
-}
 
 /** \brief All outputs of a run. Session and clouds are consistent: an observation is
  * recorded when it is complete, and then its cloud is computed. */
@@ -555,38 +509,6 @@ private:
   std::map<std::string, double> seconds_;
 };
 
-/** \brief Decides, shot by shot, if an observation needs a further pattern. */
-class PatternNeed {
-public:
-  /** \param[in] rectifier of the camera's frames */
-  explicit PatternNeed(FrameRectifier rectifier)
-  : rectifier_(std::move(rectifier))
-  {
-    // only counts the pixels that the patterns cover; nothing is matched
-    fusion_.setMethod(DisparityFusion::Method::SpaceTime);
-    fusion_.setInputRig(rectifier_.rig());
-  }
-
-  /** \brief Adds a shot under a pattern, as received from the camera. Returns true if a
-   * further pattern is needed. */
-  bool
-  wantsMoreAfter(const TrinocularFrame& frame)
-  {
-    if (observation_ != frame.observation)
-      fusion_.clear();
-    observation_ = frame.observation;
-    const TrinocularFrame::Ptr shot(new TrinocularFrame(frame));
-    rectifier_.rectify(*shot);
-    fusion_.addShot(shot);
-    return fusion_.wantsAnotherShot();
-  }
-
-private:
-  FrameRectifier rectifier_;
-  DisparityFusion fusion_;
-  std::optional<std::int32_t> observation_;
-};
-
 void
 tellRecording(const GrabberOptions& options,
               const TrinocularFileReport& report,
@@ -627,16 +549,6 @@ tellProjector(const GrabberOptions& options,
                     : ""));
 }
 
-constexpr std::chrono::milliseconds between_frames(50);
-
-std::size_t
-bytesOfFrame(const TrinocularRig& rig)
-{
-  constexpr std::size_t bytes_per_pixel = 9; // three cameras, in colour
-  return bytes_per_pixel * static_cast<std::size_t>(rig.width) *
-         static_cast<std::size_t>(rig.height);
-}
-
 /** \brief Moves frames from the device to the outputs. */
 class GrabRun {
 public:
@@ -652,18 +564,10 @@ public:
   , status_(options.tool, !controls.is_quiet)
   , device_(openDevice(options, opener, log))
   , outputs_(options, device_, controls.threads, live_.get(), log)
-  , queue_(queueLength(bytesOfFrame(device_.rig)))
   , wanted_(options.observations.value_or(device_.recording ? 0 : 1))
   {
     if (device_.camera && !options.isStream())
       projection_ = openProjection(options, device_, drawing_, status_, log);
-  }
-
-  /** \brief Afterwards no callback of a grabber is called. */
-  ~GrabRun()
-  {
-    end();
-    connection_.disconnect();
   }
 
   GrabRun(const GrabRun&) = delete;
@@ -700,10 +604,10 @@ public:
       tellRecording(options_, device_.recording->getReport(), log_);
     if (projection_)
       tellProjector(options_, *projection_, log_);
-    log_.details["frames"] = frames_;
+    log_.details["frames"] = frames();
     log_.details["is_rectified"] = !device_.cameras.has_value();
     log_.tell("frames",
-              std::to_string(frames_) + (device_.cameras ? ", raw" : ", rectified"));
+              std::to_string(frames()) + (device_.cameras ? ", raw" : ", rectified"));
     outputs_.tell();
   }
 
@@ -717,21 +621,18 @@ public:
     status_.note("done; close the window to end");
     while (!live_->isClosed() && !interrupted()) {
       live_->update();
-      std::this_thread::sleep_for(between_frames);
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
   }
 
 private:
-  /** \return false to end the stream */
-  using UseFrame = std::function<bool(const TrinocularFrame::ConstPtr& frame)>;
-
   /** Processes all observations of a recording, or the requested number. */
   void
   passRecording()
   {
     const std::vector<std::uint64_t> doubled = device_.recording->getReport().doubled;
-    listenTo(*device_.recording);
-    grabber_->start();
+    stream_.emplace(*device_.recording);
+    device_.recording->start();
     pumpAll([&](const TrinocularFrame::ConstPtr& frame) {
       if (std::count(doubled.begin(), doubled.end(), frame->number) > 0)
         return true;
@@ -743,7 +644,7 @@ private:
       return true;
     });
     outputs_.close(progress());
-    if (frames_ == 0)
+    if (frames() == 0)
       throw InputFileException(options_.recording() +
                                ": has no frame that can be read");
   }
@@ -754,13 +655,13 @@ private:
   passStream()
   {
     const bool has_end = options_.frames > 0 || options_.seconds > 0;
-    listenTo(*device_.camera->grabber());
-    grabber_->start();
+    stream_.emplace(*device_.camera->grabber());
+    device_.camera->grabber()->start();
     const Clock::time_point begin = Clock::now();
     const auto use = [&](const TrinocularFrame::ConstPtr& frame) {
       outputs_.take(frame, progress());
       outputs_.close(progress());
-      return frames_ != options_.frames;
+      return frames() != options_.frames;
     };
     pump(use, [&] {
       if (has_end)
@@ -782,7 +683,7 @@ private:
         return need_->wantsMoreAfter(frame);
       });
     }
-    listenTo(sequence);
+    stream_.emplace(sequence);
     Pacing pacing(options_.every);
     for (std::size_t i = 0; i < wanted_; ++i) {
       const auto wait = [&] {
@@ -806,54 +707,32 @@ private:
     }
   }
 
-  void
-  listenTo(TrinocularGrabber& grabber)
+  std::size_t
+  frames() const
   {
-    grabber_ = &grabber;
-    const std::function<TrinocularGrabber::FrameCallback> queue =
-        [this](const TrinocularFrame::ConstPtr& frame) { queue_.push(frame); };
-    connection_ = grabber.registerCallback(queue);
+    return stream_ ? stream_->frames() : 0;
   }
 
-  /** Closes the queue first, since a grabber that waits for room in the queue could not
-   * stop. Frames in the queue are kept. */
+  /** Processes frames until the stream is over. */
   void
-  end()
+  pump(const FrameStream::UseFrame& use, const FrameStream::IsOver& is_over)
   {
-    queue_.close();
-    if (grabber_)
-      grabber_->stop();
-  }
-
-  /** Processes frames until the stream is over and the queue is empty. */
-  void
-  pump(const UseFrame& use, const std::function<bool()>& is_over)
-  {
-    for (;;) {
-      const bool is_running = grabber_->isRunning();
-      const TrinocularFrame::ConstPtr frame = queue_.pop(between_frames);
-      if (frame) {
-        ++frames_;
-        if (live_)
-          live_->show(*frame);
-        if (!use(frame)) {
-          end();
-          return;
-        }
-      }
-      else if (!is_running)
-        break;
-      if (is_over())
-        end();
-      idle();
-    }
-    if (grabber_->getError())
-      std::rethrow_exception(grabber_->getError());
+    stream_->pass(
+        [&](const TrinocularFrame::ConstPtr& frame) {
+          if (live_)
+            live_->show(*frame);
+          return use(frame);
+        },
+        [&] {
+          const bool ends = is_over();
+          idle();
+          return ends;
+        });
   }
 
   /** Likewise; only an error or the user ends the stream early. */
   void
-  pumpAll(const UseFrame& use)
+  pumpAll(const FrameStream::UseFrame& use)
   {
     pump(use, [] {
       stopIfInterrupted();
@@ -898,7 +777,7 @@ private:
     if (!status_.isDue())
       return;
     GrabStatus now;
-    now.frames = frames_;
+    now.frames = frames();
     now.doing = doing;
     outputs_.measure(now);
     if (device_.camera)
@@ -918,13 +797,10 @@ private:
   const Device device_;
   GrabOutputs outputs_;
   std::optional<Projection> projection_;
-  std::optional<PatternNeed> need_; // set if observations may end early
-  FrameQueue queue_;
-  TrinocularGrabber* grabber_ = nullptr;
-  boost::signals2::connection connection_;
-  std::size_t frames_ = 0;
-  std::size_t shots_ = 0;  // of the current observation
-  std::size_t wanted_ = 0; // number of observations, 0: all
+  std::optional<PatternNeed> need_;   // set if observations may end early
+  std::optional<FrameStream> stream_; // its end is that of all callbacks
+  std::size_t shots_ = 0;             // of the current observation
+  std::size_t wanted_ = 0;            // number of observations, 0: all
 };
 
 } // namespace

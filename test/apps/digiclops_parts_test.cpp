@@ -1,5 +1,4 @@
 #include "digiclops_grabber/digiclops_camera.h"
-#include "grabber/frame_queue.h"
 #include "grabber/terminal.h"
 
 #include <pcl/core/exceptions.h>
@@ -16,50 +15,6 @@ namespace pcl::acmap::test {
 namespace {
 
 using std::chrono::milliseconds;
-
-TrinocularFrame::ConstPtr
-frameOf(std::uint64_t number)
-{
-  const TrinocularFrame::Ptr frame(new TrinocularFrame);
-  frame->number = number;
-  return frame;
-}
-
-TEST(FrameQueue, GivesFramesInTheirOrder)
-{
-  FrameQueue queue(2);
-  EXPECT_EQ(queue.pop(milliseconds(1)), nullptr);
-  std::thread giver([&] {
-    for (std::uint64_t i = 0; i < 50; ++i)
-      queue.push(frameOf(i)); // blocks until there is room
-  });
-  for (std::uint64_t i = 0; i < 50; ++i) {
-    const TrinocularFrame::ConstPtr frame = queue.pop(milliseconds(5000));
-    ASSERT_TRUE(frame);
-    EXPECT_EQ(frame->number, i);
-  }
-  giver.join();
-}
-
-TEST(FrameQueue, ClosedLetsNobodyWaitAndKeepsWhatIsThere)
-{
-  FrameQueue queue(1);
-  queue.push(frameOf(0));
-  std::thread giver([&] { queue.push(frameOf(1)); });
-  std::this_thread::sleep_for(milliseconds(20));
-  queue.close();
-  giver.join();
-  queue.push(frameOf(2));
-  ASSERT_TRUE(queue.pop(milliseconds(1)));
-  EXPECT_EQ(queue.pop(milliseconds(1)), nullptr);
-}
-
-TEST(FrameQueue, IsNeverTooShort)
-{
-  EXPECT_EQ(queueLength(std::size_t{1} << 30), 4u);
-  EXPECT_GE(queueLength(std::size_t{640} * 480 * 3), 100u);
-  EXPECT_GT(queueLength(0), 0u);
-}
 
 /** \brief Simulates a user who types on a terminal that replaces standard input. */
 class TypingUser {
