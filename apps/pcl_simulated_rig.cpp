@@ -8,6 +8,7 @@
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_writing.h>
+#include <pcl/simulation/merged_rows.h>
 #include <pcl/simulation/repeated_scene.h>
 #include <pcl/simulation/scene_file.h>
 #include <pcl/simulation/simulated_light.h>
@@ -25,8 +26,6 @@
 namespace {
 
 using namespace pcl::acmap;
-using Json = nlohmann::ordered_json;
-
 constexpr const char* stereo_sensor = "stereo";
 constexpr const char* kinect_sensor = "kinect";
 
@@ -44,10 +43,10 @@ struct SimulationOptions {
 
 /** \brief Results of --clouds, for summary and report. */
 struct Counts {
+  pcl::TruthPoints points;
   std::size_t observations = 0;
-  PointCounts points;
   std::size_t sparse = 0; ///< observations with fewer points than requested
-  std::string first_sparse;
+  std::string first_sparse = {};
 };
 
 /** \brief Names of the scenes, as "a, b, c". */
@@ -271,37 +270,6 @@ checkPlaces(const Tool& tool,
     throw UsageError(options.merged + ": would be one of the session's own files");
 }
 
-/** The points of all views, in files: a building has more than the memory has room for. */
-class MergedRows {
-public:
-  explicit MergedRows(const pcl::Trajectory& trajectory)
-  {
-    part_.trajectory = trajectory;
-  }
-
-  void
-  append(const pcl::SimulatedObservation& observation, std::size_t view)
-  {
-    pcl::appendObservation(observation, view, part_);
-    const pcl::PCLPointCloud2 cloud = pcl::cloudOf(part_);
-    rows_.insert(rows_.end(), cloud.data.begin(), cloud.data.end());
-    part_.points.clear();
-    part_.rgb.clear();
-    part_.view.clear();
-    part_.label.clear();
-  }
-
-  pcl::CloudRows
-  finish()
-  {
-    return pcl::CloudRows(pcl::cloudOf(part_), std::move(rows_));
-  }
-
-private:
-  pcl::MergedObservations part_; ///< of one view
-  pcl::LargeVector<std::uint8_t> rows_;
-};
-
 /** Measures a view of one copy of the scene.
  * \param[in] scene without its copies */
 pcl::SimulatedObservation
@@ -325,11 +293,10 @@ writeClouds(const SimulationOptions& options,
             const pcl::Trajectory& trajectory,
             const OutputFolder& folder,
             const RunControls& controls,
-            MergedRows& merged)
+            pcl::MergedRows& merged)
 {
-  Counts counts;
-  counts.points.of_label.resize(
-      options.columns * options.rows * scene.geometry.planes().size() + 1);
+  Counts counts{pcl::TruthPoints(options.columns * options.rows *
+                                 scene.geometry.planes().size())};
   counts.observations = trajectory.poses.size();
   const auto observe = [&](std::size_t view) -> std::optional<ObservationToWrite> {
     const pcl::SimulatedObservation observation = withThreads(controls.threads, [&] {
@@ -353,28 +320,6 @@ writeClouds(const SimulationOptions& options,
   return counts;
 }
 
-/** \brief Reports the sensor and its noise. */
-void
-addSensor(const pcl::SimulatedScene& scene, Json& json)
-{
-  const pcl::RangeSensor& sensor = scene.sensor;
-  if (!scene.depth_camera) {
-    json["reach"] = sensor.reach;
-    json["noise"] = {{"along", "ray"},
-                     {"growth", sensor.noise_growth},
-                     {"least", sensor.min_noise},
-                     {"most", sensor.max_noise}};
-    return;
-  }
-  const pcl::DepthCamera& camera = *scene.depth_camera;
-  json["sensor"] = kinect_sensor;
-  json["reach"] = camera.farthest;
-  json["noise"] = {{"along", "disparity"},
-                   {"sigma", scene.rig.disparity_sigma},
-                   {"step", camera.disparity_step},
-                   {"window", camera.window}};
-}
-
 void
 makeClouds(const SimulationOptions& options,
            const pcl::SimulatedScene& scene,
@@ -389,7 +334,7 @@ makeClouds(const SimulationOptions& options,
   const pcl::SimulatedScene building =
       pcl::repeatedScene(filmed, options.columns, options.rows);
   const pcl::Trajectory trajectory = pcl::trajectoryOf(building, building.views.size());
-  MergedRows merged(trajectory);
+  pcl::MergedRows merged(trajectory);
   const Counts counts =
       writeClouds(options, filmed, trajectory, folder, controls, merged);
   if (counts.points.all == 0)
@@ -398,11 +343,12 @@ makeClouds(const SimulationOptions& options,
 
   pcl::saveTrajectory(folder.path(trajectory_name), trajectory);
   pcl::saveTrinocularRig(folder.path(rig_name), scene.rig);
-  Json truth = truthHead(scene, options.settings.seed, counts.observations);
-  truth["points"] = counts.points.all;
-  addSensor(scene, truth);
-  truth["planes"] = truthPlanes(building, counts.points);
-  saveJson(folder.path(truth_name), truth, 1);
+  pcl::saveCloudTruth(folder.path(truth_name),
+                      scene,
+                      building,
+                      options.settings.seed,
+                      counts.observations,
+                      counts.points);
   stopIfInterrupted();
   if (!options.merged.empty())
     pcl::savePointCloud(options.merged, merged.finish());

@@ -3,47 +3,17 @@
 #include "memory.h"
 
 #include <pcl/acquisition/trinocular_recorder.h>
-#include <pcl/core/build_config.h>
-#include <pcl/core/file_format.h>
 #include <pcl/core/image_file.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/pipeline/observation_files.h>
-#include <pcl/simulation/simulated_truth.h>
 #include <pcl/stereo/trinocular_rectification.h>
 
-#include <cmath>
 #include <memory>
 
 namespace pcl::acmap {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json
-jsonOf(const Eigen::Vector3d& point)
-{
-  return {point.x(), point.y(), point.z()};
-}
-
-Json
-jsonOf(const TruthPlane& plane, std::size_t id, std::size_t points)
-{
-  Json rectangles = Json::array();
-  for (const SimulatedRectangle& r : plane.rectangles)
-    rectangles.push_back({jsonOf(r.corner),
-                          jsonOf(r.corner + r.edge_u),
-                          jsonOf(r.corner + r.edge_u + r.edge_v),
-                          jsonOf(r.corner + r.edge_v)});
-  const Eigen::Vector4d& c = plane.coefficients;
-  return {{"id", id},
-          {"name", plane.name},
-          {"coefficients", {c[0], c[1], c[2], c[3]}},
-          {"area", plane.area()},
-          {"points", points},
-          {"rectangles", rectangles}};
-}
 
 constexpr const char* session_name = "session.yaml";
 // fraction of the time; the rest is for the ground truth
@@ -96,45 +66,6 @@ makePatterns(const SessionSettings& settings, const SimulatedProjector& projecto
   return patterns;
 }
 
-/** \brief Can active stereo measure a pixel? It must be visible to two cameras, lit by
- * the projector, and have a depth in the search range.
- * \param[in] disparities of one of the neighbours
- * \param[in] focal_times_baseline of that neighbour, px m */
-bool
-isMeasurable(const SimulatedTruth& truth,
-             const DisparityImage& disparities,
-             double focal_times_baseline,
-             std::size_t pixel)
-{
-  constexpr int neighbours =
-      SimulatedTruth::in_horizontal | SimulatedTruth::in_vertical;
-  if ((truth.visible[pixel] & neighbours) == 0 ||
-      (truth.visible[pixel] & SimulatedTruth::in_light) == 0)
-    return false;
-  const double depth = focal_times_baseline / disparities.values[pixel];
-  return depth >= nearest_measured && depth <= farthest_measured;
-}
-
-/** \brief Counts the pixels of an observation that could be measured on each true
- * plane. */
-void
-countMeasurable(const SimulatedScene& scene,
-                const SimulatedTruth& truth,
-                const DisparityImage& disparities,
-                PointCounts& counts)
-{
-  const TrinocularRig& rig = scene.rig;
-  const double baseline =
-      truth.horizontal.values.empty() ? rig.baseline_vertical : rig.baseline_horizontal;
-  for (std::size_t i = 0; i < disparities.values.size(); ++i)
-    if (isMeasurable(truth, disparities, rig.focal_length * std::abs(baseline), i)) {
-      const auto surface = static_cast<std::size_t>(truth.surfaces[i]);
-      ++counts.all;
-      ++counts.of_label[static_cast<std::size_t>(
-          scene.geometry.surfaces()[surface].plane + 1)];
-    }
-}
-
 /** \brief Writes the ground truth of an observation for stereo. */
 void
 writeObservationTruth(const OutputFolder& folder,
@@ -152,7 +83,7 @@ writeObservationTruth(const OutputFolder& folder,
           scene.rig.width,
           scene.rig.height,
           truth.visible);
-  countMeasurable(scene, truth, disparities, counts.measurable);
+  addMeasurable(scene, truth, nearest_measured, farthest_measured, counts.measurable);
   for (std::size_t i = 0; i < truth.visible.size(); ++i) {
     counts.seen += truth.surfaces[i] >= 0 ? 1 : 0;
     counts.lit += (truth.visible[i] & SimulatedTruth::in_light) != 0 ? 1 : 0;
@@ -180,50 +111,7 @@ recorderOf(const OutputFolder& folder, const FilmedScene& filmed)
   return TrinocularRecorder(path, rig);
 }
 
-void
-saveSessionTruth(const std::string& path,
-                 const FilmedScene& filmed,
-                 const SessionSettings& settings,
-                 const PointCounts& measurable)
-{
-  const SimulatedLight& light = settings.light;
-  auto json = truthHead(filmed.scene, settings.seed, settings.observations);
-  json["patterns"] = settings.patterns;
-  json["lines"] = settings.lines.getNumberOfLines();
-  json["frames"] = filmed.cameras ? "raw" : "rectified";
-  json["light"] = {{"ambient", light.ambient},
-                   {"projector_power", light.projector.power},
-                   {"aperture", light.projector.aperture_radius},
-                   {"exposure", light.exposure},
-                   {"blur", light.blur},
-                   {"vignetting", light.vignetting}};
-  json["noise"] = {{"read", light.read_noise}, {"shot", light.shot_noise}};
-  json["points"] = measurable.all;
-  json["planes"] = truthPlanes(filmed.scene, measurable);
-  saveJson(path, json, 1);
-}
-
 } // namespace
-
-Json
-truthHead(const SimulatedScene& scene, std::uint64_t seed, std::size_t observations)
-{
-  return {{"version", ACMAP_VERSION},
-          {"format", file_formats::truth},
-          {"scene", scene.name},
-          {"seed", seed},
-          {"observations", observations}};
-}
-
-Json
-truthPlanes(const SimulatedScene& scene, const PointCounts& counts)
-{
-  Json json = Json::array();
-  const std::vector<TruthPlane> planes = planesInMap(scene);
-  for (std::size_t id = 0; id < planes.size(); ++id)
-    json.push_back(jsonOf(planes[id], id, counts.of_label[id + 1]));
-  return json;
-}
 
 std::vector<std::string>
 setBuiltCameras(const std::string& path, FilmedScene& filmed)
@@ -288,8 +176,7 @@ writeSession(const OutputFolder& folder,
   grabber->wait();
   if (grabber->getError())
     std::rethrow_exception(grabber->getError());
-  SessionCounts counts;
-  counts.measurable.of_label.resize(filmed.scene.geometry.planes().size() + 1);
+  SessionCounts counts{TruthPoints(filmed.scene.geometry.planes().size())};
   counts.frames = recorder.frames();
   recorder.finish();
 
@@ -303,7 +190,15 @@ writeSession(const OutputFolder& folder,
   }
   saveTrajectory(folder.path(trajectory_name),
                  stampedTrajectory(filmed.scene, *grabber));
-  saveSessionTruth(folder.path(truth_name), filmed, settings, counts.measurable);
+  saveFrameTruth(folder.path(truth_name),
+                 filmed.scene,
+                 {settings.seed,
+                  settings.observations,
+                  settings.patterns,
+                  settings.lines.getNumberOfLines(),
+                  filmed.cameras.has_value(),
+                  light},
+                 counts.measurable);
   return counts;
 }
 

@@ -6,8 +6,7 @@
 #include <pcl/core/output_folder.h>
 #include <pcl/core/rig_calibration.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
-
-#include <nlohmann/json.hpp>
+#include <pcl/simulation/truth_file.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -19,22 +18,6 @@ namespace pcl::acmap {
 
 constexpr const char* rig_name = "rig.yaml";
 constexpr const char* truth_name = "truth.json";
-
-/** \brief Number of points that a session has, or can have, on the true planes. */
-struct PointCounts {
-  std::size_t all = 0;
-  /** \brief Index: label, the plane of the scene + 1; 0 is on no plane. */
-  std::vector<std::size_t> of_label;
-};
-
-/** \brief The first fields of every `truth.json`. */
-nlohmann::ordered_json
-truthHead(const SimulatedScene& scene, std::uint64_t seed, std::size_t observations);
-
-/** \brief The true planes in the map frame.
- * \param[in] counts added to each plane */
-nlohmann::ordered_json
-truthPlanes(const SimulatedScene& scene, const PointCounts& counts);
 
 /** \brief A scene and the cameras that film it. */
 struct FilmedScene {
@@ -70,10 +53,10 @@ struct SessionSettings {
 
 /** \brief Statistics of the session, for summary and report. */
 struct SessionCounts {
+  TruthPoints measurable; ///< pixels that active stereo can measure
   std::size_t frames = 0;
-  std::size_t seen = 0;   ///< pixels of the reference view that see a surface
-  std::size_t lit = 0;    ///< of these, the ones that the projector lights
-  PointCounts measurable; ///< pixels that active stereo can measure
+  std::size_t seen = 0; ///< pixels of the reference view that see a surface
+  std::size_t lit = 0;  ///< of these, the ones that the projector lights
 };
 
 /** \brief Would a file of that name be a part of a session? */
