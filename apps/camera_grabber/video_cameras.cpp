@@ -4,19 +4,16 @@
 
 #include <pcl/core/fields_json.h>
 #include <pcl/video/camera_grabber.h>
+#include <pcl/video/video_source.h>
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <utility>
 
 namespace pcl::acmap {
 
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 const CameraTexts&
@@ -157,38 +154,6 @@ addOwnOptions(CLI::App& app, CameraOptions& options)
       ->check(positiveNumber(255).description(""));
 }
 
-/** \brief A device file of a camera, and its name. */
-struct SystemCamera {
-  int number = 0;
-  std::string name;
-};
-
-/** \brief The cameras that the kernel lists; of a camera with several device files, the
- * first one gives the images. */
-std::vector<SystemCamera>
-findSystemCameras()
-{
-  std::vector<SystemCamera> cameras;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator("/sys/class/video4linux", error)) {
-    SystemCamera camera;
-    const std::string file = entry.path().filename();
-    if (std::sscanf(file.c_str(), "video%d", &camera.number) != 1)
-      continue;
-    int index = 0;
-    std::ifstream(entry.path() / "index") >> index;
-    if (index != 0)
-      continue;
-    std::ifstream name(entry.path() / "name");
-    std::getline(name, camera.name);
-    cameras.push_back(camera);
-  }
-  std::sort(cameras.begin(), cameras.end(), [](const auto& a, const auto& b) {
-    return a.number < b.number;
-  });
-  return cameras;
-}
-
 } // namespace
 
 void
@@ -213,7 +178,7 @@ requireSense(Tool& tool, const CameraOptions& options)
 void
 listVideoCameras(StageLog& log)
 {
-  const std::vector<SystemCamera> cameras = findSystemCameras();
+  const std::vector<SystemCamera> cameras = listSystemCameras();
   if (cameras.empty())
     throw NothingFound("the system has no camera (/dev/video...)");
   Json& list = log.details["cameras"];

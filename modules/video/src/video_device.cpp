@@ -1,12 +1,15 @@
 #include "video_device.h"
 
 #include <pcl/core/camera_exception.h>
+#include <pcl/video/video_source.h>
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 
 namespace pcl::acmap {
@@ -72,3 +75,34 @@ isSameVideo(const std::string& a, const std::string& b)
 }
 
 } // namespace pcl::acmap
+
+namespace pcl {
+
+std::vector<SystemCamera>
+listSystemCameras()
+{
+  namespace fs = std::filesystem;
+  std::vector<SystemCamera> cameras;
+  std::error_code error;
+  for (fs::directory_iterator entry("/sys/class/video4linux", error), end;
+       !error && entry != end;
+       entry.increment(error)) {
+    SystemCamera camera;
+    const std::string file = entry->path().filename();
+    if (std::sscanf(file.c_str(), "video%d", &camera.number) != 1)
+      continue;
+    int index = 0;
+    std::ifstream(entry->path() / "index") >> index;
+    if (index != 0)
+      continue;
+    std::ifstream name(entry->path() / "name");
+    std::getline(name, camera.name);
+    cameras.push_back(camera);
+  }
+  std::sort(cameras.begin(), cameras.end(), [](const auto& a, const auto& b) {
+    return a.number < b.number;
+  });
+  return cameras;
+}
+
+} // namespace pcl

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl {
 
@@ -77,5 +78,17 @@ using VideoOpener =
  * \throws InputFileException for a file that is no video \ingroup video */
 ACMAP_EXPORT std::unique_ptr<VideoSource>
 openVideo(const std::string& device);
+
+/** \brief A camera that the kernel lists. \ingroup video */
+struct SystemCamera {
+  int number = 0;   ///< of /dev/video0 and so on, as \ref openVideo takes it
+  std::string name; ///< as its driver tells it
+};
+
+/** \brief The cameras of Video4Linux in the order of their numbers; of a camera with several
+ * device files the first one, which gives the images. None where there is no Linux.
+ * \ingroup video */
+ACMAP_EXPORT std::vector<SystemCamera>
+listSystemCameras();
 
 } // namespace pcl
