@@ -90,7 +90,8 @@ TEST(TrajectoryPicture, OfWildPlacesCanBeDrawn)
   auto way = wayAlongX(3);
   way[1]->translation() << 1e12, std::numeric_limits<double>::quiet_NaN(), -1e300;
   EXPECT_GT(pixelsIn(trajectoryPicture(way, {}), blue), 40U); // the start dot
-  EXPECT_GT(pixelsIn(trajectoryPicture({}, {}), black), 50U); // the scale bar, the count
+  EXPECT_GT(pixelsIn(trajectoryPicture({}, {}), black),
+            50U); // the scale bar, the count
 }
 
 TEST(MatchPicture, LinesGoFromViewToView)
