@@ -10,13 +10,11 @@
 #include <CLI/CLI.hpp>
 
 #include <sstream>
-#include <thread>
 
 namespace pcl::acmap {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
 constexpr double paper_rate = 14; // Hz
@@ -77,34 +75,7 @@ setUpCamera(DigiclopsGrabber& grabber, const DigiclopsOptions& options)
                                                             : IidcTrigger::Off);
 }
 
-/** \brief Waits while a condition holds, or until the user interrupts it. */
-template <typename Condition>
-void
-waitWhile(const Condition& condition)
-{
-  while (condition()) {
-    stopIfInterrupted();
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-}
-
-void
-takeShot(DigiclopsGrabber& camera)
-{
-  camera.trigger();
-  try {
-    waitWhile([&] { return camera.isRunning(); });
-  }
-  catch (const CancelledException&) {
-    camera.stop();
-    throw;
-  }
-  if (camera.getError())
-    std::rethrow_exception(camera.getError());
-}
-
-/** \brief Takes up to three shots under patterns, which provide corners everywhere,
- * until the grabber is certain of the order of its channels. Reports the order, or
+/** \brief Lets the grabber find the order of its channels under patterns. Reports it, or
  * warns if it remains uncertain. */
 void
 checkOrder(DigiclopsGrabber& camera,
@@ -113,24 +84,9 @@ checkOrder(DigiclopsGrabber& camera,
            StatusLine& status,
            StageLog& log)
 {
-  const auto is_certain = [&] {
-    const auto check = camera.getReport().order;
-    return check && check->is_certain;
-  };
-  constexpr std::chrono::milliseconds surely_settled(700);
-  const std::size_t shots =
-      std::min<std::size_t>(DigiclopsGrabber::max_order_checks, patterns.size());
-  for (std::size_t i = 0; i < shots && !is_certain(); ++i) {
-    projector.show(patterns[i]);
-    const Clock::time_point settled = Clock::now() + surely_settled;
-    waitWhile([&] { return Clock::now() < settled; });
-    takeShot(camera);
-  }
-  projector.showNothing();
-  camera.rewind();
-  const auto check = camera.getReport().order;
+  const auto check = checkChannelOrder(camera, projector, patterns, stopIfInterrupted);
   const std::string order = textOf(camera.getChannelOrder());
-  if (is_certain())
+  if (check && check->is_certain)
     status.note("channels are " + order + ": " + shortNumber(100 * check->share) +
                 " % of the corners agree, under the next order " +
                 shortNumber(100 * check->runner_up) + " %");

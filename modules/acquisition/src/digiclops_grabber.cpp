@@ -8,6 +8,9 @@
 #include <pcl/core/rig_cameras.h>
 
 #include <algorithm>
+#include <chrono>
+#include <exception>
+#include <thread>
 #include <utility>
 
 namespace pcl {
@@ -29,6 +32,40 @@ struct UsbOpener {
     return bus;
   }
 };
+
+void
+waitAMoment(const std::function<void()>& idle)
+{
+  if (idle)
+    idle();
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+/** Longer than any projector takes, whose settle time is not known yet. */
+void
+waitUntilSettled(const std::function<void()>& idle)
+{
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point settled = Clock::now() + std::chrono::milliseconds(700);
+  while (Clock::now() < settled)
+    waitAMoment(idle);
+}
+
+void
+takeShot(DigiclopsGrabber& camera, const std::function<void()>& idle)
+{
+  camera.trigger();
+  try {
+    while (camera.isRunning())
+      waitAMoment(idle);
+  }
+  catch (...) {
+    camera.stop();
+    throw;
+  }
+  if (camera.getError())
+    std::rethrow_exception(camera.getError());
+}
 
 } // namespace
 
@@ -203,6 +240,26 @@ DigiclopsGrabber::getReport() const
   report.restarts = counts.restarts;
   report.frames_per_second = state_->meter.perSecond();
   return report;
+}
+
+std::optional<ChannelOrderCheck>
+checkChannelOrder(DigiclopsGrabber& camera,
+                  PatternProjector& projector,
+                  const std::vector<RgbImage>& patterns,
+                  const std::function<void()>& idle)
+{
+  const std::size_t shots =
+      std::min<std::size_t>(DigiclopsGrabber::max_order_checks, patterns.size());
+  std::optional<ChannelOrderCheck> check;
+  for (std::size_t i = 0; i < shots && !(check && check->is_certain); ++i) {
+    projector.show(patterns[i]);
+    waitUntilSettled(idle);
+    takeShot(camera, idle);
+    check = camera.getReport().order;
+  }
+  projector.showNothing();
+  camera.rewind();
+  return check;
 }
 
 } // namespace pcl

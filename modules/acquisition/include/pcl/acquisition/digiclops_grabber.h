@@ -2,15 +2,18 @@
 
 #include <pcl/acquisition/channel_order.h>
 #include <pcl/acquisition/iidc_camera.h>
+#include <pcl/acquisition/pattern_projector.h>
 #include <pcl/core/fields.h>
 #include <pcl/core/report.h>
 #include <pcl/core/streamed_grabber.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl {
 
@@ -199,5 +202,19 @@ private:
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/** \brief Lets a camera check the order of its channels under patterns, which provide corners
+ * everywhere: up to \ref DigiclopsGrabber::max_order_checks shots, until it is certain. Then
+ * its first frame is the next one, and the projector is dark.
+ * \param[in] camera of three cameras, which does not stream
+ * \param[in] patterns of the projector's size
+ * \param[in] idle called while it waits; what it throws ends the check
+ * \return that of the last shot; nothing without patterns
+ * \throws what camera and projector throw \ingroup acquisition */
+ACMAP_EXPORT std::optional<ChannelOrderCheck>
+checkChannelOrder(DigiclopsGrabber& camera,
+                  PatternProjector& projector,
+                  const std::vector<RgbImage>& patterns,
+                  const std::function<void()>& idle = {});
 
 } // namespace pcl
