@@ -6,12 +6,8 @@
 
 #include <pcl/core/build_config.h>
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <set>
 #include <sstream>
 
@@ -268,19 +264,6 @@ troff(const std::string& text)
 }
 
 } // namespace
-
-std::size_t
-helpWidth()
-{
-  constexpr std::size_t least = 40, usual = 80;
-  std::size_t width = 0;
-  if (const char* const columns = std::getenv("COLUMNS"))
-    width = std::strtoul(columns, nullptr, 10);
-  winsize window{};
-  if (width == 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0)
-    width = window.ws_col;
-  return width == 0 ? usual : std::max(width, least);
-}
 
 std::string
 helpOf(const CLI::App& app,

@@ -18,11 +18,6 @@ struct HelpText {
   std::vector<std::string> common;
 };
 
-/** \brief Columns for the help: the variable COLUMNS, else those of the terminal on stdout, else
- * 80; at least 40. */
-std::size_t
-helpWidth();
-
 /** \brief Text of `--help`, `--help all` and `--help GROUP`: usage, purpose, examples, and options
  * with their defaults; no line is longer than the width, unless a single word is.
  * \param[in] topic empty: the common options; "all"; or the begin of a word in the title of a

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "time_left.h"
+#include <pcl/core/time_left.h>
 
 #include <string>
 

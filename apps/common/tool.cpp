@@ -222,7 +222,7 @@ Tool::parse(int argc, const char* const* argv)
     arguments = withAutomaticValue(std::move(arguments), name);
   if (const auto topic = helpTopicIn(arguments)) {
     print(*topic == "man" ? manPageOf(*app_, help_)
-                          : helpOf(*app_, help_, *topic, helpWidth()));
+                          : helpOf(*app_, help_, *topic, terminalWidth()));
     return 0;
   }
   // CLI11 takes them in reverse order
@@ -314,7 +314,8 @@ Tool::fullReport() const
   json.update(log_.details);
   if (!log_.report.seconds.empty())
     json["seconds"] = secondsOf(log_.report);
-  json["seconds_without_progress"] = bar_->longestSilence();
+  const auto [silence, step] = bar_->longestSilence();
+  json["seconds_without_progress"] = {{"seconds", silence}, {"step", step}};
   json["peak_memory_bytes"] = peakMemory();
   json["remarks"] = log_.report.remarks;
   return json;

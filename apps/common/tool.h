@@ -3,9 +3,9 @@
 #include "contradicted_output.h"
 #include "exit_code.h"
 #include "help_text.h"
-#include "progress_bar.h"
 #include "stage_log.h"
 
+#include <pcl/core/progress_bar.h>
 #include <pcl/pipeline/depth_sensor.h>
 
 #include <nlohmann/json.hpp>

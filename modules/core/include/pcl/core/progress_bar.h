@@ -1,21 +1,31 @@
 #pragma once
 
-#include "time_left.h"
-
-#include <nlohmann/json.hpp>
+#include <pcl/core/export.h>
+#include <pcl/core/progress.h>
+#include <pcl/core/time_left.h>
 
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
-namespace pcl::acmap {
+namespace pcl {
 
 /** \brief The progress of a run: one line on a terminal with what is done, the step and the time
- * that is left, which is drawn again while nothing is told. */
-class ProgressBar {
+ * that is left, which is drawn again while nothing is told.
+ * \code
+ * pcl::ProgressBar bar;
+ * bar.draw ();
+ * mapping.setProgressCallback (bar.callback ());
+ * mapping.compute (map);
+ * bar.stop ();
+ * \endcode
+ * \ingroup core */
+class ACMAP_EXPORT ProgressBar {
 public:
   ProgressBar() = default;
 
@@ -30,7 +40,7 @@ public:
   /** \brief From now on, the progress is drawn on the terminal of stderr.
    * \param[in] earlier times of an earlier run of this kind; may be empty */
   void
-  draw(RunTimes earlier);
+  draw(RunTimes earlier = {});
 
   bool
   isDrawn() const;
@@ -42,6 +52,11 @@ public:
   /** \brief Takes progress, from any thread. A fraction that falls counts as the one before. */
   void
   tell(double fraction, const std::string& step);
+
+  /** \brief A callback that tells it, and never stops the run; must not be called when this
+   * object is gone. */
+  ProgressCallback
+  callback();
 
   /** \brief Prints a line on stderr; the bar goes on below it. */
   void
@@ -55,9 +70,9 @@ public:
   RunTimes
   times() const;
 
-  /** \brief The longest time without progress, and the step that was told before it: JSON of
-   * seconds and step. */
-  nlohmann::ordered_json
+  /** \brief The longest time without progress, seconds, and the step that was told before
+   * it. */
+  std::pair<double, std::string>
   longestSilence() const;
 
 private:
@@ -88,15 +103,24 @@ private:
   std::optional<double> shown_;       ///< seconds left, as told
 };
 
+namespace acmap {
+
 /** \brief The text of a progress bar, without line ends.
  * \param[in] fraction of the work that is done
  * \param[in] step name of the current step
  * \param[in] left seconds, if they are known
  * \param[in] width columns of the terminal */
-std::string
+ACMAP_EXPORT std::string
 progressLine(double fraction,
              const std::string& step,
              const std::optional<double>& left,
              std::size_t width);
 
-} // namespace pcl::acmap
+/** \brief Columns of the terminal of stdout, at least 40: those that the variable COLUMNS
+ * states, or that the terminal tells, else 80. */
+ACMAP_EXPORT std::size_t
+terminalWidth();
+
+} // namespace acmap
+
+} // namespace pcl

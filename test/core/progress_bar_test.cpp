@@ -1,9 +1,11 @@
-#include "progress_bar.h"
-#include "time_left.h"
+#include <pcl/core/progress_bar.h>
+#include <pcl/core/time_left.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 namespace pcl::acmap {
 namespace {
@@ -35,6 +37,31 @@ TEST(ProgressBar, IsOneLineOfANarrowTerminal)
   const std::string line = progressLine(0.5, "reading a file with a long name", 3, 50);
   EXPECT_LT(line.size(), 50U);
   EXPECT_EQ(line.substr(line.size() - 10), ", 3 s left");
+}
+
+TEST(ProgressBar, TakesWhatACallbackIsTold)
+{
+  ProgressBar bar;
+  const ProgressCallback callback = bar.callback();
+  EXPECT_TRUE(callback(0.5, "walls"));
+  EXPECT_TRUE(callback(0.25, "cells")) << "a fraction that falls stops nothing";
+  EXPECT_TRUE(callback(2, "end"));
+  const RunTimes times = bar.times();
+  EXPECT_EQ(times.front(), std::pair(0.0, 0.0));
+  EXPECT_NEAR(times[1].first, 0.5, 1e-12);
+  EXPECT_EQ(times.back().first, 1);
+  EXPECT_FALSE(bar.isDrawn());
+  EXPECT_LT(bar.longestSilence().first, 10);
+}
+
+TEST(ProgressBar, OfATerminalThatStatesItsWidth)
+{
+  setenv("COLUMNS", "123", 1);
+  EXPECT_EQ(terminalWidth(), 123U);
+  setenv("COLUMNS", "3", 1);
+  EXPECT_EQ(terminalWidth(), 40U);
+  unsetenv("COLUMNS");
+  EXPECT_GE(terminalWidth(), 40U);
 }
 
 /** A run of three stages, whose told fractions are not those of its time.

@@ -1,16 +1,17 @@
-#include "time_left.h"
+#include <pcl/core/time_left.h>
 
 #include <algorithm>
 #include <iterator>
 
-namespace pcl::acmap {
+namespace pcl {
+
 namespace {
 
 constexpr double between_knots = 0.004;
 
 /** Seconds at which a run reached a fraction. */
 double
-reached(const RunTimes& times, double fraction)
+secondsReached(const RunTimes& times, double fraction)
 {
   const auto after = std::lower_bound(
       times.begin(), times.end(), fraction, [](const auto& knot, double wanted) {
@@ -27,7 +28,7 @@ reached(const RunTimes& times, double fraction)
 
 /** Seconds at which a run went beyond a fraction. */
 double
-left(const RunTimes& times, double fraction)
+secondsLeft(const RunTimes& times, double fraction)
 {
   const auto after = std::upper_bound(
       times.begin(),
@@ -48,7 +49,8 @@ TimeLeft::tell(double fraction, double elapsed)
   if (fraction < last + between_knots)
     return;
   const double took = elapsed - since, step = fraction - last;
-  const double takes = reached(earlier_, fraction) - reached(earlier_, last);
+  const double takes =
+      secondsReached(earlier_, fraction) - secondsReached(earlier_, last);
   if (!earlier_.empty() && (takes < noticed || took > passed * takes)) {
     compared_ += took;
     expected_ += takes;
@@ -77,8 +79,8 @@ TimeLeft::byEarlier(double elapsed) const
   const auto& [fraction, since] = told_.back();
   const double whole = earlier_.back().second;
   const double speed = (compared_ + trust * whole) / (expected_ + trust * whole);
-  const double most = whole - reached(earlier_, fraction);
-  const double least = whole - left(earlier_, fraction);
+  const double most = whole - secondsReached(earlier_, fraction);
+  const double least = whole - secondsLeft(earlier_, fraction);
   return std::max(speed * most - (elapsed - since), speed * least);
 }
 
@@ -98,4 +100,4 @@ TimeLeft::times(double elapsed) const
   return all;
 }
 
-} // namespace pcl::acmap
+} // namespace pcl

@@ -1,13 +1,14 @@
-#include "progress_bar.h"
+#include <pcl/core/progress_bar.h>
 
-#include "help_text.h"
-
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
-namespace pcl::acmap {
+namespace pcl {
+
 namespace {
 
 /** Written at once, and not by way of stdio: a process that is forked meanwhile has no part in it. */
@@ -96,7 +97,9 @@ ProgressBar::shownTime()
 void
 ProgressBar::drawLine()
 {
-  writeOut("\r" + progressLine(fraction_, step_, shownTime(), helpWidth()) + "\x1b[K");
+  writeOut("\r" +
+           acmap::progressLine(fraction_, step_, shownTime(), acmap::terminalWidth()) +
+           "\x1b[K");
 }
 
 void
@@ -136,15 +139,25 @@ ProgressBar::times() const
   return time_left_.times(elapsed());
 }
 
-nlohmann::ordered_json
+std::pair<double, std::string>
 ProgressBar::longestSilence() const
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   const double last = elapsed() - told_at_;
   const bool is_last = last > silence_;
-  return {{"seconds", is_last ? last : silence_},
-          {"step", is_last ? step_ : silent_step_}};
+  return {is_last ? last : silence_, is_last ? step_ : silent_step_};
 }
+
+ProgressCallback
+ProgressBar::callback()
+{
+  return [this](double fraction, const std::string& step) {
+    tell(fraction, step);
+    return true;
+  };
+}
+
+namespace acmap {
 
 std::string
 progressLine(double fraction,
@@ -163,4 +176,19 @@ progressLine(double fraction,
   return line.substr(0, room) + time;
 }
 
-} // namespace pcl::acmap
+std::size_t
+terminalWidth()
+{
+  constexpr std::size_t least = 40, usual = 80;
+  std::size_t width = 0;
+  if (const char* const columns = std::getenv("COLUMNS"))
+    width = std::strtoul(columns, nullptr, 10);
+  winsize window{};
+  if (width == 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0)
+    width = window.ws_col;
+  return width == 0 ? usual : std::max(width, least);
+}
+
+} // namespace acmap
+
+} // namespace pcl

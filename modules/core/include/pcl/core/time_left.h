@@ -1,18 +1,20 @@
 #pragma once
 
+#include <pcl/core/export.h>
+
 #include <optional>
 #include <utility>
 #include <vector>
 
-namespace pcl::acmap {
+namespace pcl {
 
 /** \brief When a run reached which fraction of its work: pairs of fraction and seconds,
- * both ascending, from {0, 0} to {1, all seconds}. */
+ * both ascending, from {0, 0} to {1, all seconds}. \ingroup core */
 using RunTimes = std::vector<std::pair<double, double>>;
 
 /** \brief Estimates how long a run will still take, by its progress and, if there was one, by
- * the times of an earlier run of the same kind. */
-class TimeLeft {
+ * the times of an earlier run of the same kind. \ingroup core */
+class ACMAP_EXPORT TimeLeft {
 public:
   /** \param[in] earlier empty if there was none */
   explicit TimeLeft(RunTimes earlier = {})
@@ -48,4 +50,4 @@ private:
          worked_ = 0; ///< fraction that was done in this run, in these seconds
 };
 
-} // namespace pcl::acmap
+} // namespace pcl
