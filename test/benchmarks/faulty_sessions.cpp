@@ -40,18 +40,25 @@ smallSceneOf(const std::string& scene)
 }
 
 Trajectory
-drifted(const Trajectory& truth, double factor, int seed)
+drifted(const Trajectory& truth, const RecordingFault& fault, int seed)
 {
-  const double share = 0.01 * factor, floor = 0.001 * factor,
-               turn = 0.1 * degree * factor;
+  constexpr double share = 0.01, floor = 0.001, turn = 0.1 * degree;
   Trajectory trajectory = truth;
-  std::mt19937 random(static_cast<unsigned>(seed));
+  std::mt19937 random(static_cast<unsigned>(seed)), once(static_cast<unsigned>(seed));
   std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(-std::sqrt(3.0), std::sqrt(3.0));
+  // Bounded, of deviation 1, so that no seed is an odometry that nobody would use.
+  const Eigen::Vector3d shared_shift(uniform(once), 0, uniform(once));
+  const double shared_turn = uniform(once);
   for (std::size_t i = 1; i < truth.poses.size(); ++i) {
     Eigen::Isometry3d step = truth.poses[i - 1].inverse() * truth.poses[i];
     const double sigma = share * step.translation().norm() + floor;
-    step.translation() += sigma * Eigen::Vector3d(normal(random), 0, normal(random));
-    step.rotate(Eigen::AngleAxisd(turn * normal(random), Eigen::Vector3d::UnitY()));
+    step.translation() +=
+        sigma * (fault.drift * Eigen::Vector3d(normal(random), 0, normal(random)) +
+                 fault.bias * shared_shift);
+    step.rotate(Eigen::AngleAxisd(
+        turn * (fault.drift * normal(random) + fault.bias * shared_turn),
+        Eigen::Vector3d::UnitY()));
     trajectory.poses[i] = trajectory.poses[i - 1] * step;
   }
   return trajectory;
@@ -181,7 +188,7 @@ writeFaulty(const std::string& folder,
 {
   const SessionTruth truth = loadSessionTruth(session);
   fs::create_directories(folder);
-  Trajectory trajectory = drifted(truth.trajectory, fault.drift, seed);
+  Trajectory trajectory = drifted(truth.trajectory, fault, seed);
   for (Eigen::Isometry3d& pose : trajectory.poses)
     pose.translation() *= fault.pose_scale;
   std::vector<fs::path> clouds;

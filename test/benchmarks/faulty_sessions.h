@@ -32,6 +32,7 @@ struct RecordingFault {
   bool has_glass = false; ///< half of the largest wall lets rays through
   double depth_scale = 1; ///< of the points
   double pose_scale = 1;  ///< of the poses
+  double bias = 0;        ///< as drift, but all steps share one draw
 };
 
 /** \brief Writes the observations of a session with a fault into a folder. */

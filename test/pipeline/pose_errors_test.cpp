@@ -170,7 +170,7 @@ TEST(PoseErrors, DoNotDependOnTheFrame)
   const CompactMap first = one.map(), second = other.map();
   for (std::size_t plane = 1; plane < first.planes.size(); ++plane) {
     const double wanted = first.planes[plane].covariance(2, 2);
-    EXPECT_NEAR(second.planes[plane].covariance(2, 2), wanted, 0.02 * wanted);
+    EXPECT_NEAR(second.planes[plane].covariance(2, 2), wanted, 0.05 * wanted);
   }
 }
 
@@ -188,6 +188,81 @@ TEST(PoseErrors, GiveCovariancesThatContainTheModes)
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(rest);
     EXPECT_GT(solver.eigenvalues().minCoeff(), -1e-9 * plane.covariance.norm());
   }
+}
+
+/** Two rooms that no plane joins: what was seen of the second one lies where the rectification has
+ * put it, off by an error that the odometry knows better. */
+struct TwoRooms {
+  static constexpr std::size_t views = 12, begin = 6; ///< of the second room
+  static constexpr double off = 0.02, step = 0.003, turn = 0.0005;
+
+  explicit TwoRooms(unsigned seed)
+  : corridor(views)
+  {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    error = off * normal(random);
+    corridor.model.noise = {2 * step, 0, 2 * turn, 0}; // as it is stated
+    corridor.model.before = corridor.model.poses;
+    for (std::size_t i = 1; i < views; ++i) {
+      Eigen::Isometry3d motion =
+          corridor.model.poses[i - 1].inverse() * corridor.model.poses[i];
+      if (i == begin)
+        motion.translation().y() -= error;
+      motion.translation() += step * Vector3d(normal(random), normal(random), 0);
+      motion.rotate(Eigen::AngleAxisd(turn * normal(random), Vector3d::UnitZ()));
+      corridor.model.before[i] = corridor.model.before[i - 1] * motion;
+    }
+    corridor.see(
+        [](std::size_t view, std::size_t plane) {
+          return isNear(view, plane) && (view < begin) == (plane < begin);
+        },
+        [&](std::size_t, std::size_t) { return 0.001 * normal(random); });
+  }
+
+  Corridor corridor;
+  double error; ///< metres, across, of the second room
+};
+
+TEST(PoseErrors, AreThoseOfRoomsThatTheRectificationHasMoved)
+{
+  constexpr unsigned draws = 60;
+  double sum = 0;
+  for (unsigned seed = 0; seed < draws; ++seed) {
+    TwoRooms rooms(seed);
+    const CompactMap map = rooms.corridor.map();
+    const PlaneDistance across = distanceBetween(map, 0, map.planes.size() - 1);
+    sum += std::pow(rooms.error / across.deviation, 2);
+  }
+  const double normalised = std::sqrt(sum / draws);
+  EXPECT_GT(normalised, 0.75);
+  EXPECT_LT(normalised, 1.2);
+}
+
+TEST(PoseErrors, AreNotThoseOfTheOtherFaceOfAThinWall)
+{
+  constexpr std::size_t behind = 8; // an observation that nothing else joins to plane 0
+  const auto deviationWith = [](bool sees_back) {
+    Corridor corridor(9);
+    corridor.model.poses[behind].translation() = Vector3d(1, -2, 0);
+    corridor.see(
+        [&](std::size_t view, std::size_t plane) {
+          return view == behind ? sees_back && plane == 0 : isNear(view, plane);
+        },
+        [](std::size_t view, std::size_t plane) {
+          return view == behind ? -0.03 : noiseOf(view, plane);
+        });
+    return distanceBetween(corridor.map(), 0, 1).deviation;
+  };
+  EXPECT_EQ(deviationWith(true), deviationWith(false));
+}
+
+TEST(PoseErrors, RefuseAnotherNumberOfPosesBefore)
+{
+  Corridor corridor(5);
+  corridor.see(isNear, noiseOf);
+  corridor.model.before.resize(4, Eigen::Isometry3d::Identity());
+  EXPECT_THROW(corridor.map(), BadArgumentException);
 }
 
 TEST(PoseErrors, AreLeftOutWhereNothingIsKnown)

@@ -319,6 +319,8 @@ errorModelOf(const ChainState& state, const ChainSettings& settings)
   PoseErrorModel model;
   for (std::size_t i = 0; i < state.observations->size(); ++i)
     model.poses.push_back(state.observations->pose(i));
+  if (state.before.poses.size() == model.poses.size())
+    model.before = state.before.poses;
   model.noise = state.noise;
   if (!settings.adjust && !state.is_path_in_space)
     model.up = state.estimated.up.value_or(-Eigen::Vector3d::UnitY());

@@ -1,3 +1,4 @@
+#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/pipeline/pose_errors.h>
 
@@ -8,8 +9,9 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <map>
+#include <random>
+#include <string>
 
 namespace pcl {
 
@@ -111,132 +113,70 @@ glimpsesOf(const CloudRows& cloud,
   return glimpses;
 }
 
-/** \brief Sums of residuals of consecutive observations. */
-class ResidualSeries {
-public:
-  /** \brief Begins a new series, as of another plane. */
-  void
-  begin()
-  {
-    last_ = none;
-  }
-
-  void
-  add(double residual)
-  {
-    squares_ += residual * residual;
-    ++number_;
-    if (!std::isnan(last_)) {
-      products_ += residual * last_;
-      both_ += (residual * residual + last_ * last_) / 2;
-    }
-    last_ = residual;
-  }
-
-  /** \brief Standard deviation of independent residuals that would tell as little: those of
-   * neighbouring observations are alike, since their poses are wrong together.
-   * \param[in] used degrees of freedom that are taken by means */
-  double
-  deviation(double used) const
-  {
-    constexpr double least = 1e-4, max_correlation = 0.9; // metres
-    const double freedom = number_ - used;
-    if (!(freedom > 0))
-      return least;
-    const double correlation =
-        both_ > 0 ? std::clamp(products_ / both_, 0.0, max_correlation) : 0;
-    return std::max(
-        least, std::sqrt(squares_ / freedom * (1 + correlation) / (1 - correlation)));
-  }
-
-private:
-  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-  double squares_ = 0, products_ = 0, both_ = 0, number_ = 0;
-  double last_ = none;
-};
-
-/** \brief By how much what observations see of a plane differs from it: standard deviations of its
- * offset, and of its slope times the extent that was seen; metres. */
-struct Disagreement {
-  double offset, bend;
-};
-
-Disagreement
-disagreementOf(const Glimpses& glimpses)
+/** \brief Keeps the observations that see the front of a plane, which is where most of its points
+ * were seen from: points of a thin wall's other face are labelled alike. */
+void
+keepFront(const PlanePatch& plane,
+          const std::vector<Eigen::Isometry3d>& poses,
+          std::map<std::int32_t, Glimpse>& glimpses)
 {
-  ResidualSeries offsets;
-  std::array<ResidualSeries, 2> bends; // along u and along v
-  double means = 0;
-  for (const auto& of_plane : glimpses) {
-    if (of_plane.size() < 2)
-      continue;
-    ++means;
-    double mean = 0;
-    for (const auto& [view, glimpse] : of_plane)
-      mean += glimpse.offset() / static_cast<double>(of_plane.size());
-    offsets.begin();
-    for (ResidualSeries& series : bends)
-      series.begin();
-    for (const auto& [view, glimpse] : of_plane) {
-      offsets.add(glimpse.offset() - mean);
-      const Matrix2d scatter = glimpse.scatter();
-      for (int k = 0; k < 2; ++k)
-        if (scatter(k, k) > 0)
-          bends[static_cast<std::size_t>(k)].add(glimpse.bend()[k] /
-                                                 std::sqrt(scatter(k, k)));
-    }
-  }
-  return {offsets.deviation(means),
-          std::max(bends[0].deviation(0), bends[1].deviation(0))};
+  const auto isBefore = [&](std::int32_t view) {
+    const Vector3d sensor = poses[static_cast<std::size_t>(view)].translation();
+    return plane.coefficients.dot(sensor.homogeneous()) > 0;
+  };
+  double balance = 0;
+  for (const auto& [view, glimpse] : glimpses)
+    balance += isBefore(view) ? glimpse.number() : -glimpse.number();
+  for (auto one = glimpses.begin(); one != glimpses.end();)
+    one = isBefore(one->first) == (balance > 0) ? std::next(one) : glimpses.erase(one);
 }
 
-/** \brief The normal equations of poses and planes. */
-class NormalEquations {
+/** \brief Equations with a common scale of their noise. */
+enum Kind : std::size_t {
+  turn_kind,
+  shift_kind,
+  offset_kind,
+  bend_kind,
+  still_offset_kind, ///< of planes that no error of a pose moves, as floors under a robot
+  still_bend_kind,
+  kinds
+};
+
+using Scales = std::array<double, kinds>;
+
+/** \brief A linear equation of the unknowns: row x + residual = noise. */
+struct Equation {
+  std::vector<std::pair<int, double>> row;
+  double residual;
+  double sigma; ///< of the noise, to be scaled by that of its kind
+  Kind kind;
+};
+
+/** \brief The equations of the errors of poses, of the odometry and of planes. */
+class PoseEquations {
 public:
-  NormalEquations(const PoseErrorModel& model, const std::vector<PlanePatch>& planes)
+  PoseEquations(const PoseErrorModel& model, const std::vector<PlanePatch>& planes)
   : model_(model)
   , planes_(planes)
   , basis_(basisOf(model.up))
-  , of_views_(static_cast<int>(model.poses.size()) * static_cast<int>(basis_.cols()))
+  , freedom_(static_cast<int>(basis_.cols()))
+  , of_poses_(static_cast<int>(model.poses.size()) * freedom_)
   {}
 
-  /** \brief Adds what the odometry tells, with the first pose as it is. */
+  /** \brief Adds what the odometry tells. Its errors are independent, and one that all steps
+   * share, in the frame of the sensor and in standard deviations of a step. */
   void
   addOdometry()
   {
-    constexpr double fixed = 1e-6; // metres and radians
-    for (int k = 0; k < 6; ++k)
-      add({{0, Row6(Row6::Unit(k))}}, {}, fixed);
-    for (std::size_t i = 0; i + 1 < model_.poses.size(); ++i) {
-      const Eigen::Isometry3d motion = model_.poses[i].inverse() * model_.poses[i + 1];
-      const double angle = Eigen::AngleAxisd(motion.linear()).angle();
-      const double length = motion.translation().norm();
-      const OdometryNoise& noise = model_.noise;
-      const Vector3d arm =
-          model_.poses[i + 1].translation() - model_.poses[i].translation();
-      for (int k = 0; k < 3; ++k) {
-        Row6 turn = Row6::Zero(), shift = Row6::Zero(), carried = Row6::Zero();
-        turn[k] = 1;
-        shift[3 + k] = 1;
-        // omega x arm, along axis k
-        carried.head<3>() = arm.cross(Vector3d(Vector3d::Unit(k))).transpose();
-        carried[3 + k] = 1;
-        add({{i, Row6(-turn)}, {i + 1, turn}},
-            {},
-            noise.turn + noise.turn_per_radian * angle);
-        add({{i, Row6(-carried)}, {i + 1, shift}},
-            {},
-            noise.length + noise.length_per_metre * length);
-      }
-    }
+    for (std::size_t i = 0; i + 1 < model_.poses.size(); ++i)
+      addStep(i);
+    for (int k = 0; k < freedom_; ++k)
+      add({{bias(), Row6(basis_.col(k).transpose())}}, {}, 0, 1, kindOf(k));
   }
 
   /** \brief Adds what observations saw of a plane. */
   void
-  addPlane(std::size_t plane,
-           const std::map<std::int32_t, Glimpse>& glimpses,
-           const Disagreement& sigma)
+  addPlane(std::size_t plane, const std::map<std::int32_t, Glimpse>& glimpses)
   {
     const PlanePatch& patch = planes_[plane];
     const Vector3d normal = patch.coefficients.head<3>();
@@ -252,52 +192,56 @@ public:
           normal.transpose();
       add({{i, moved}},
           {{column, Vector3d(-center.x(), -center.y(), -1)}},
-          sigma.offset);
+          glimpse.offset(),
+          1,
+          isStill(normal) ? still_offset_kind : offset_kind);
       const Eigen::SelfAdjointEigenSolver<Matrix2d> axes(glimpse.scatter());
       for (int k = 0; k < 2; ++k) {
         const Vector2d axis = axes.eigenvectors().col(k);
-        const double extent = std::sqrt(std::max(axes.eigenvalues()[k], 0.0));
-        if (!(extent > 0))
+        const double variance = axes.eigenvalues()[k];
+        if (!(variance > 0))
           continue;
         const Vector3d along = axis.x() * patch.axis_u + axis.y() * patch.axis_v;
         Row6 turned = Row6::Zero();
         turned.head<3>() = along.cross(normal).transpose();
         add({{i, turned}},
             {{column, Vector3d(-axis.x(), -axis.y(), 0)}},
-            sigma.bend / extent);
+            axis.dot(glimpse.bend()) / variance,
+            1 / std::sqrt(variance),
+            isStill(normal) ? still_bend_kind : bend_kind);
       }
     }
   }
 
-  /** \brief Indices of the planes, in the order of the covariance. */
+  const std::vector<Equation>&
+  all() const
+  {
+    return equations_;
+  }
+
+  int
+  unknowns() const
+  {
+    return of_poses_ + ofPlanes();
+  }
+
+  /** \brief Number of the last unknowns: slope u, slope v and offset of each plane. */
+  int
+  ofPlanes() const
+  {
+    return 3 * static_cast<int>(numbers_.size());
+  }
+
+  /** \brief Indices of the planes, in the order of the unknowns. */
   const std::vector<std::size_t>&
   numbers() const
   {
     return numbers_;
   }
 
-  /** \brief The covariance of (slope u, slope v, offset) of all planes; empty if the equations
-   * have no solution. */
-  MatrixXd
-  covariance() const
-  {
-    const int size = of_views_ + 3 * static_cast<int>(numbers_.size());
-    Eigen::SparseMatrix<double> normal(size, size);
-    normal.setFromTriplets(entries_.begin(), entries_.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(normal);
-    if (solver.info() != Eigen::Success)
-      return {};
-    const int of_planes = size - of_views_;
-    MatrixXd wanted = MatrixXd::Zero(size, of_planes);
-    wanted.bottomRows(of_planes).setIdentity();
-    const MatrixXd solved = solver.solve(wanted);
-    return (solved.bottomRows(of_planes) + solved.bottomRows(of_planes).transpose()) /
-           2;
-  }
-
 private:
-  struct OfView {
-    std::size_t view;
+  struct OfPose {
+    std::size_t pose;
     Row6 row; ///< by its turn and its shift, in the map frame
   };
   struct OfPlane {
@@ -322,35 +266,198 @@ private:
     return basis;
   }
 
-  /** \brief Adds an equation of poses and planes with its standard deviation. */
-  void
-  add(const std::vector<OfView>& views,
-      const std::vector<OfPlane>& planes,
-      double sigma)
+  Kind
+  kindOf(int error) const
   {
-    std::vector<std::pair<int, double>> row;
-    const auto freedom = static_cast<int>(basis_.cols());
-    for (const OfView& one : views) {
+    return basis_.col(error).head<3>().isZero() ? shift_kind : turn_kind;
+  }
+
+  bool
+  isStill(const Vector3d& normal) const
+  {
+    constexpr double level = 0.9; // cosine
+    return model_.up && std::abs(model_.up->normalized().dot(normal)) > level;
+  }
+
+  /** \brief Number of the common error of the odometry, which follows those of the poses. */
+  std::size_t
+  bias() const
+  {
+    return model_.poses.size();
+  }
+
+  void
+  addStep(std::size_t i)
+  {
+    const Eigen::Isometry3d &from = model_.poses[i], &to = model_.poses[i + 1];
+    const Eigen::Isometry3d motion = from.inverse() * to;
+    const Eigen::Isometry3d told =
+        model_.before.empty() ? motion
+                              : model_.before[i].inverse() * model_.before[i + 1];
+    const Eigen::AngleAxisd turned(motion.linear() * told.linear().transpose());
+    const Vector3d turn = from.linear() * (turned.angle() * turned.axis());
+    const Vector3d shift = from.linear() * (motion.translation() - told.translation());
+    const OdometryNoise& noise = model_.noise;
+    const double turn_sigma =
+        noise.turn + noise.turn_per_radian * Eigen::AngleAxisd(told.linear()).angle();
+    const double shift_sigma =
+        noise.length + noise.length_per_metre * told.translation().norm();
+    const Matrix3d since_first =
+        from.linear() * model_.poses.front().linear().transpose();
+    const Vector3d arm = to.translation() - from.translation();
+    for (int k = 0; k < freedom_; ++k) {
+      const Kind kind = kindOf(k);
+      const bool is_turn = kind == turn_kind;
+      const Vector3d axis = is_turn ? basis_.col(k).head<3>() : basis_.col(k).tail<3>();
+      const double sigma = is_turn ? turn_sigma : shift_sigma;
+      Row6 begin = Row6::Zero(), end = Row6::Zero(), shared = Row6::Zero();
+      end.segment<3>(is_turn ? 0 : 3) = axis.transpose();
+      begin = -end;
+      if (!is_turn)
+        begin.head<3>() = -arm.cross(axis).transpose(); // omega x arm
+      shared.segment<3>(is_turn ? 0 : 3) =
+          -sigma * (since_first.transpose() * axis).transpose();
+      add({{i, begin}, {i + 1, end}, {bias(), shared}},
+          {},
+          axis.dot(is_turn ? turn : shift),
+          sigma,
+          kind);
+    }
+  }
+
+  /** \brief Adds an equation; the first pose has no error. */
+  void
+  add(const std::vector<OfPose>& poses,
+      const std::vector<OfPlane>& planes,
+      double residual,
+      double sigma,
+      Kind kind)
+  {
+    Equation equation{{}, residual, sigma, kind};
+    for (const OfPose& one : poses) {
       const Eigen::RowVectorXd reduced = one.row * basis_;
-      for (int k = 0; k < freedom; ++k)
-        row.emplace_back(static_cast<int>(one.view) * freedom + k, reduced[k]);
+      for (int k = 0; k < freedom_ && one.pose > 0; ++k)
+        if (reduced[k] != 0)
+          equation.row.emplace_back((static_cast<int>(one.pose) - 1) * freedom_ + k,
+                                    reduced[k]);
     }
     for (const OfPlane& one : planes)
       for (int k = 0; k < 3; ++k)
-        row.emplace_back(of_views_ + 3 * one.plane + k, one.row[k]);
-    const double weight = 1 / (sigma * sigma);
-    for (const auto& [i, a] : row)
-      for (const auto& [j, b] : row)
-        if (a != 0 && b != 0)
-          entries_.emplace_back(i, j, weight * a * b);
+        equation.row.emplace_back(of_poses_ + 3 * one.plane + k, one.row[k]);
+    equations_.push_back(std::move(equation));
   }
 
   const PoseErrorModel& model_;
   const std::vector<PlanePatch>& planes_;
   Eigen::Matrix<double, 6, Eigen::Dynamic> basis_;
-  int of_views_;
+  int freedom_;
+  int of_poses_; ///< number of unknowns: all poses but the first, and the common error
   std::vector<std::size_t> numbers_;
-  std::vector<Eigen::Triplet<double>> entries_;
+  std::vector<Equation> equations_;
+};
+
+/** \brief Solves the equations by least squares, with scales of the noise that agree with what is
+ * left of the residuals. */
+class PoseErrorSolution {
+public:
+  explicit PoseErrorSolution(const PoseEquations& equations)
+  : equations_(equations)
+  {
+    constexpr int rounds = 6; // until the scales change by less than 1 %
+    for (int round = 0; round < rounds && solve(); ++round)
+      rescale();
+    is_solved_ = is_solved_ && solve();
+  }
+
+  /** \brief Mean of the products of the errors of all planes, slope u, slope v and offset of each:
+   * their covariance, and the product of what the most likely ones are, since the map is not
+   * corrected by these. Empty without a solution. */
+  MatrixXd
+  squaredErrors() const
+  {
+    if (!is_solved_)
+      return {};
+    const int of_planes = equations_.ofPlanes();
+    MatrixXd wanted = MatrixXd::Zero(equations_.unknowns(), of_planes);
+    wanted.bottomRows(of_planes).setIdentity();
+    const MatrixXd covariance = solver_.solve(wanted).bottomRows(of_planes);
+    const Eigen::VectorXd likely = errors_.tail(of_planes);
+    return (covariance + covariance.transpose()) / 2 + likely * likely.transpose();
+  }
+
+private:
+  using Matrix = Eigen::SparseMatrix<double>;
+
+  bool
+  solve()
+  {
+    const std::vector<Equation>& all = equations_.all();
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd residuals(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const double weight = 1 / (all[i].sigma * scales_[all[i].kind]);
+      for (const auto& [column, value] : all[i].row)
+        entries.emplace_back(static_cast<int>(i), column, weight * value);
+      residuals[static_cast<Eigen::Index>(i)] = weight * all[i].residual;
+    }
+    weighted_ = Matrix(static_cast<int>(all.size()), equations_.unknowns());
+    weighted_.setFromTriplets(entries.begin(), entries.end());
+    solver_.compute(Matrix(weighted_.transpose() * weighted_));
+    is_solved_ = solver_.info() == Eigen::Success;
+    if (!is_solved_)
+      return false;
+    errors_ = -solver_.solve(weighted_.transpose() * residuals);
+    left_ = residuals + weighted_ * errors_;
+    return true;
+  }
+
+  /** \brief How many degrees of freedom the unknowns take from each kind: the trace of its part of
+   * the hat matrix, by random signs. */
+  Scales
+  takenFreedom() const
+  {
+    constexpr Eigen::Index probes = 128;
+    std::mt19937 random; // of its default seed, the same in every run
+    MatrixXd signs(weighted_.rows(), probes);
+    for (double& sign : signs.reshaped())
+      sign = random() & 1U ? 1 : -1;
+    const MatrixXd hat = weighted_ * solver_.solve(weighted_.transpose() * signs);
+    const Eigen::VectorXd taken = signs.cwiseProduct(hat).rowwise().mean();
+    Scales sums{};
+    for (std::size_t i = 0; i < equations_.all().size(); ++i)
+      sums[equations_.all()[i].kind] += taken[static_cast<Eigen::Index>(i)];
+    return sums;
+  }
+
+  /** \brief Sets the scales to those of the residuals; the first ones count as much as three
+   * residuals. */
+  void
+  rescale()
+  {
+    constexpr double residuals_of_first = 3;
+    const Scales taken = takenFreedom();
+    Scales squares{}, numbers{};
+    for (std::size_t i = 0; i < equations_.all().size(); ++i) {
+      const Kind kind = equations_.all()[i].kind;
+      squares[kind] += std::pow(scales_[kind] * left_[static_cast<Eigen::Index>(i)], 2);
+      ++numbers[kind];
+    }
+    for (std::size_t kind = 0; kind < kinds; ++kind)
+      scales_[kind] =
+          std::sqrt((residuals_of_first * first_scales[kind] * first_scales[kind] +
+                     squares[kind]) /
+                    (residuals_of_first + std::max(0.0, numbers[kind] - taken[kind])));
+  }
+
+  /** Of the stated noise of the odometry; metres, of the offset and the rim of what is seen. */
+  static constexpr Scales first_scales{1, 1, 0.002, 0.002, 0.002, 0.002};
+
+  const PoseEquations& equations_;
+  Scales scales_ = first_scales;
+  Matrix weighted_; ///< rows in standard deviations
+  Eigen::SimplicialLDLT<Matrix> solver_;
+  Eigen::VectorXd errors_, left_;
+  bool is_solved_ = false;
 };
 
 /** \brief Extents of a plane along its axes, so that slopes count as lengths; metres. */
@@ -368,7 +475,7 @@ extentsOf(const PlanePatch& plane)
   return {std::max(half.x(), least), std::max(half.y(), least), 1};
 }
 
-/** \brief Gives the planes the largest components of their joint covariance. */
+/** \brief Gives the planes the largest components of their joint squared errors. */
 void
 setModes(const std::vector<std::size_t>& numbers,
          const MatrixXd& covariance,
@@ -412,18 +519,23 @@ addPoseErrors(const CloudRows& cloud,
   const std::size_t views = model.poses.size();
   if (!cloud || views < 2 || views > max_views)
     return;
-  const Glimpses glimpses = glimpsesOf(cloud, labels, planes, views);
-  NormalEquations equations(model, planes);
+  if (!model.before.empty() && model.before.size() != views)
+    throw acmap::BadArgument(
+        std::to_string(model.before.size()) + " poses before the correction of " +
+        std::to_string(views) + " are refused: there must be one per pose, or none");
+  Glimpses glimpses = glimpsesOf(cloud, labels, planes, views);
+  PoseEquations equations(model, planes);
   equations.addOdometry();
-  const Disagreement sigma = disagreementOf(glimpses);
-  for (std::size_t plane = 0; plane < glimpses.size(); ++plane)
+  for (std::size_t plane = 0; plane < glimpses.size(); ++plane) {
+    keepFront(planes[plane], model.poses, glimpses[plane]);
     if (!glimpses[plane].empty())
-      equations.addPlane(plane, glimpses[plane], sigma);
+      equations.addPlane(plane, glimpses[plane]);
+  }
   if (equations.numbers().empty())
     return;
-  if (const MatrixXd covariance = equations.covariance();
-      covariance.allFinite() && covariance.size() > 0)
-    setModes(equations.numbers(), covariance, planes);
+  const MatrixXd squares = PoseErrorSolution(equations).squaredErrors();
+  if (squares.allFinite() && squares.size() > 0)
+    setModes(equations.numbers(), squares, planes);
 }
 
 } // namespace pcl

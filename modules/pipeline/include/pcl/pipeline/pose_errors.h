@@ -17,7 +17,10 @@ namespace pcl {
  * \ingroup pipeline */
 struct PoseErrorModel {
   std::vector<Eigen::Isometry3d>
-      poses;           ///< T_map_camera, in the order of the observations
+      poses; ///< T_map_camera, in the order of the observations
+  /** \brief The same poses as the odometry has them, before they were rectified. Empty: those of
+   * \ref poses are the odometry's. */
+  std::vector<Eigen::Isometry3d> before{};
   OdometryNoise noise; ///< between each and the next one
 
   /** \brief The sensor moved level: poses err only along the floor and about this direction. None:
