@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <random>
 #include <string>
 
@@ -81,6 +82,36 @@ struct Glimpse {
 /** \brief The glimpses of each plane by observation, those with enough points. */
 using Glimpses = std::vector<std::map<std::int32_t, Glimpse>>;
 
+/** \brief Calls see (point, observation, plane or -1) for the points of a cloud that observations
+ * have seen. */
+template <typename See>
+void
+forEachSeen(const CloudRows& cloud,
+            const PointLabels& labels,
+            std::size_t views,
+            const See& see)
+{
+  const PCLPointField* const field =
+      acmap::findField(cloud.layout(), "view", PCLPointField::INT32);
+  if (!field || labels.size() != cloud.size())
+    return;
+  const acmap::PointView points = acmap::requirePoints(cloud);
+  const std::size_t step = cloud.layout().point_step;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    std::int32_t view = 0;
+    std::memcpy(&view, cloud.data() + i * step + field->offset, sizeof view);
+    if (view >= 0 && static_cast<std::size_t>(view) < views)
+      see(points[i], view, labels[i]);
+  }
+}
+
+void
+dropSparse(std::size_t min_count, std::map<std::int32_t, Glimpse>& glimpses)
+{
+  for (auto one = glimpses.begin(); one != glimpses.end();)
+    one = one->second.count < min_count ? glimpses.erase(one) : std::next(one);
+}
+
 Glimpses
 glimpsesOf(const CloudRows& cloud,
            const PointLabels& labels,
@@ -88,28 +119,22 @@ glimpsesOf(const CloudRows& cloud,
            std::size_t views)
 {
   Glimpses glimpses(std::min(planes.size(), max_planes));
-  const PCLPointField* const field =
-      acmap::findField(cloud.layout(), "view", PCLPointField::INT32);
-  if (!field || labels.size() != cloud.size())
-    return glimpses;
-  const acmap::PointView points = acmap::requirePoints(cloud);
-  const std::size_t step = cloud.layout().point_step;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const auto number = static_cast<std::size_t>(labels[i]);
-    std::int32_t view = 0;
-    std::memcpy(&view, cloud.data() + i * step + field->offset, sizeof view);
-    if (labels[i] < 0 || number >= glimpses.size() || view < 0 ||
-        static_cast<std::size_t>(view) >= views)
-      continue;
-    const PlanePatch& plane = planes[number];
-    const Vector3d place = points[i].cast<double>();
-    const Vector3d arm = place - plane.center;
-    glimpses[number][view].add({arm.dot(plane.axis_u), arm.dot(plane.axis_v)},
-                               plane.coefficients.dot(place.homogeneous()));
-  }
+  forEachSeen(cloud,
+              labels,
+              views,
+              [&](const Eigen::Vector3f& point, std::int32_t view, std::int32_t label) {
+                if (label < 0 || static_cast<std::size_t>(label) >= glimpses.size())
+                  return;
+                const auto number = static_cast<std::size_t>(label);
+                const PlanePatch& plane = planes[number];
+                const Vector3d place = point.cast<double>();
+                const Vector3d arm = place - plane.center;
+                glimpses[number][view].add(
+                    {arm.dot(plane.axis_u), arm.dot(plane.axis_v)},
+                    plane.coefficients.dot(place.homogeneous()));
+              });
   for (auto& of_plane : glimpses)
-    for (auto one = of_plane.begin(); one != of_plane.end();)
-      one = one->second.count < min_points ? of_plane.erase(one) : std::next(one);
+    dropSparse(min_points, of_plane);
   return glimpses;
 }
 
@@ -131,6 +156,148 @@ keepFront(const PlanePatch& plane,
     one = isBefore(one->first) == (balance > 0) ? std::next(one) : glimpses.erase(one);
 }
 
+/** \brief Sums of points. */
+struct Moments {
+  std::size_t count = 0;
+  Vector3d sum = Vector3d::Zero();
+  Matrix3d squares = Matrix3d::Zero();
+
+  void
+  add(const Vector3d& point)
+  {
+    ++count;
+    sum += point;
+    squares += point * point.transpose();
+  }
+
+  void
+  add(const Moments& other)
+  {
+    count += other.count;
+    sum += other.sum;
+    squares += other.squares;
+  }
+
+  Vector3d
+  mean() const
+  {
+    return sum / static_cast<double>(count);
+  }
+
+  Matrix3d
+  covariance() const
+  {
+    return squares / static_cast<double>(count) - mean() * mean().transpose();
+  }
+
+  /** \brief The same points as they lie on a plane. */
+  Glimpse
+  on(const PlanePatch& plane, const Vector3d& center) const
+  {
+    Eigen::Matrix<double, 2, 3> axes;
+    axes << plane.axis_u.transpose(), plane.axis_v.transpose();
+    const Vector3d normal = plane.coefficients.head<3>();
+    const double number = static_cast<double>(count);
+    const Vector3d arms = sum - number * center;
+    const Matrix3d products = squares - sum * center.transpose() -
+                              center * sum.transpose() +
+                              number * center * center.transpose();
+    Glimpse glimpse;
+    glimpse.count = count;
+    glimpse.sum = axes * arms;
+    glimpse.d_sums = axes * products * normal;
+    glimpse.squares = axes * products * axes.transpose();
+    glimpse.d_sum = normal.dot(arms);
+    return glimpse;
+  }
+};
+
+/** \brief A small flat piece of what is no plane of the map: clutter, columns, frames. */
+struct Piece {
+  PlanePatch patch; ///< centre, axes and coefficients
+  std::map<std::int32_t, Glimpse> glimpses;
+  std::size_t count = 0;
+};
+
+/** \brief Cells of space with the points that belong to no plane, by observation. */
+class LooseCells {
+public:
+  void
+  add(const Eigen::Vector3f& point, std::int32_t view)
+  {
+    const Eigen::Array3d place = point.cast<double>().array() / edge;
+    if (!((place.abs() < limit).all()))
+      return;
+    const Cell cell{static_cast<int>(std::floor(place[0])),
+                    static_cast<int>(std::floor(place[1])),
+                    static_cast<int>(std::floor(place[2]))};
+    if (cells_.size() < max_cells || cells_.count(cell) > 0)
+      cells_[cell][view].add(point.cast<double>() - cornerOf(cell));
+  }
+
+  /** \brief The flat pieces that several observations saw, those with the most points. */
+  std::vector<Piece>
+  pieces(const std::vector<Eigen::Isometry3d>& poses) const
+  {
+    std::vector<Piece> found;
+    for (const auto& [cell, by_view] : cells_)
+      if (std::optional<Piece> piece = pieceOf(cell, by_view, poses))
+        found.push_back(std::move(*piece));
+    std::stable_sort(found.begin(), found.end(), [](const Piece& a, const Piece& b) {
+      return a.count > b.count;
+    });
+    found.resize(std::min(found.size(), max_pieces));
+    return found;
+  }
+
+private:
+  using Cell = std::array<int, 3>;
+
+  static constexpr double edge = 0.25, limit = 1e8; // metres, cells
+  static constexpr std::size_t max_cells = 100000, max_pieces = 500;
+
+  static Vector3d
+  cornerOf(const Cell& cell)
+  {
+    return edge * Vector3d(cell[0], cell[1], cell[2]);
+  }
+
+  static std::optional<Piece>
+  pieceOf(const Cell& cell,
+          const std::map<std::int32_t, Moments>& by_view,
+          const std::vector<Eigen::Isometry3d>& poses)
+  {
+    constexpr std::size_t min_of_view = 30;
+    constexpr double max_thickness = 0.02, min_extent = 0.03; // metres
+    Moments all;
+    for (const auto& [view, moments] : by_view)
+      if (moments.count >= min_of_view)
+        all.add(moments);
+    if (by_view.size() < 2 || all.count < 2 * min_of_view)
+      return std::nullopt;
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(all.covariance());
+    if (!(axes.eigenvalues()[0] < max_thickness * max_thickness) ||
+        !(axes.eigenvalues()[1] > min_extent * min_extent))
+      return std::nullopt;
+    Piece piece;
+    PlanePatch& patch = piece.patch;
+    patch.center = cornerOf(cell) + all.mean();
+    const Vector3d normal = axes.eigenvectors().col(0);
+    patch.axis_u = axes.eigenvectors().col(2);
+    patch.axis_v = normal.cross(patch.axis_u);
+    patch.coefficients << normal, -normal.dot(patch.center);
+    for (const auto& [view, moments] : by_view)
+      if (moments.count >= min_of_view)
+        piece.glimpses[view] = moments.on(patch, all.mean());
+    keepFront(patch, poses, piece.glimpses);
+    for (const auto& [view, glimpse] : piece.glimpses)
+      piece.count += glimpse.count;
+    return piece.glimpses.size() < 2 ? std::nullopt : std::optional(piece);
+  }
+
+  std::map<Cell, std::map<std::int32_t, Moments>> cells_;
+};
+
 /** \brief Equations with a common scale of their noise. */
 enum Kind : std::size_t {
   turn_kind,
@@ -139,6 +306,8 @@ enum Kind : std::size_t {
   bend_kind,
   still_offset_kind, ///< of planes that no error of a pose moves, as floors under a robot
   still_bend_kind,
+  piece_offset_kind, ///< of what is no plane of the map
+  piece_bend_kind,
   kinds
 };
 
@@ -178,39 +347,19 @@ public:
   void
   addPlane(std::size_t plane, const std::map<std::int32_t, Glimpse>& glimpses)
   {
-    const PlanePatch& patch = planes_[plane];
-    const Vector3d normal = patch.coefficients.head<3>();
-    const auto column = static_cast<int>(numbers_.size());
+    const bool is_still = isStill(planes_[plane].coefficients.head<3>());
     numbers_.push_back(plane);
-    for (const auto& [view, glimpse] : glimpses) {
-      const auto i = static_cast<std::size_t>(view);
-      const Vector2d center = glimpse.center();
-      const Vector3d place =
-          patch.center + center.x() * patch.axis_u + center.y() * patch.axis_v;
-      Row6 moved;
-      moved << (place - model_.poses[i].translation()).cross(normal).transpose(),
-          normal.transpose();
-      add({{i, moved}},
-          {{column, Vector3d(-center.x(), -center.y(), -1)}},
-          glimpse.offset(),
-          1,
-          isStill(normal) ? still_offset_kind : offset_kind);
-      const Eigen::SelfAdjointEigenSolver<Matrix2d> axes(glimpse.scatter());
-      for (int k = 0; k < 2; ++k) {
-        const Vector2d axis = axes.eigenvectors().col(k);
-        const double variance = axes.eigenvalues()[k];
-        if (!(variance > 0))
-          continue;
-        const Vector3d along = axis.x() * patch.axis_u + axis.y() * patch.axis_v;
-        Row6 turned = Row6::Zero();
-        turned.head<3>() = along.cross(normal).transpose();
-        add({{i, turned}},
-            {{column, Vector3d(-axis.x(), -axis.y(), 0)}},
-            axis.dot(glimpse.bend()) / variance,
-            1 / std::sqrt(variance),
-            isStill(normal) ? still_bend_kind : bend_kind);
-      }
-    }
+    addSurface(planes_[plane],
+               glimpses,
+               is_still ? still_offset_kind : offset_kind,
+               is_still ? still_bend_kind : bend_kind);
+  }
+
+  /** \brief Adds what observations saw of something else, after all planes. */
+  void
+  addPiece(const Piece& piece)
+  {
+    addSurface(piece.patch, piece.glimpses, piece_offset_kind, piece_bend_kind);
   }
 
   const std::vector<Equation>&
@@ -222,14 +371,14 @@ public:
   int
   unknowns() const
   {
-    return of_poses_ + ofPlanes();
+    return of_poses_ + 3 * surfaces_;
   }
 
-  /** \brief Number of the last unknowns: slope u, slope v and offset of each plane. */
+  /** \brief The first unknown of planes: slope u, slope v and offset of each. */
   int
-  ofPlanes() const
+  beginOfPlanes() const
   {
-    return 3 * static_cast<int>(numbers_.size());
+    return of_poses_;
   }
 
   /** \brief Indices of the planes, in the order of the unknowns. */
@@ -244,10 +393,49 @@ private:
     std::size_t pose;
     Row6 row; ///< by its turn and its shift, in the map frame
   };
-  struct OfPlane {
-    int plane;
+  struct OfSurface {
+    int surface;
     Vector3d row;
   };
+
+  void
+  addSurface(const PlanePatch& patch,
+             const std::map<std::int32_t, Glimpse>& glimpses,
+             Kind offset_kind,
+             Kind bend_kind)
+  {
+    const Vector3d normal = patch.coefficients.head<3>();
+    const int column = surfaces_++;
+    for (const auto& [view, glimpse] : glimpses) {
+      const auto i = static_cast<std::size_t>(view);
+      const Vector2d center = glimpse.center();
+      const Vector3d place =
+          patch.center + center.x() * patch.axis_u + center.y() * patch.axis_v;
+      Row6 moved;
+      moved << (place - model_.poses[i].translation()).cross(normal).transpose(),
+          normal.transpose();
+      add({{i, moved}},
+          {{column, Vector3d(-center.x(), -center.y(), -1)}},
+          glimpse.offset(),
+          1,
+          offset_kind);
+      const Eigen::SelfAdjointEigenSolver<Matrix2d> axes(glimpse.scatter());
+      for (int k = 0; k < 2; ++k) {
+        const Vector2d axis = axes.eigenvectors().col(k);
+        const double variance = axes.eigenvalues()[k];
+        if (!(variance > 0))
+          continue;
+        const Vector3d along = axis.x() * patch.axis_u + axis.y() * patch.axis_v;
+        Row6 turned = Row6::Zero();
+        turned.head<3>() = along.cross(normal).transpose();
+        add({{i, turned}},
+            {{column, Vector3d(-axis.x(), -axis.y(), 0)}},
+            axis.dot(glimpse.bend()) / variance,
+            1 / std::sqrt(variance),
+            bend_kind);
+      }
+    }
+  }
 
   /** \brief The errors that a pose may have, of turn and shift. */
   static Eigen::Matrix<double, 6, Eigen::Dynamic>
@@ -328,7 +516,7 @@ private:
   /** \brief Adds an equation; the first pose has no error. */
   void
   add(const std::vector<OfPose>& poses,
-      const std::vector<OfPlane>& planes,
+      const std::vector<OfSurface>& surfaces,
       double residual,
       double sigma,
       Kind kind)
@@ -341,9 +529,9 @@ private:
           equation.row.emplace_back((static_cast<int>(one.pose) - 1) * freedom_ + k,
                                     reduced[k]);
     }
-    for (const OfPlane& one : planes)
+    for (const OfSurface& one : surfaces)
       for (int k = 0; k < 3; ++k)
-        equation.row.emplace_back(of_poses_ + 3 * one.plane + k, one.row[k]);
+        equation.row.emplace_back(of_poses_ + 3 * one.surface + k, one.row[k]);
     equations_.push_back(std::move(equation));
   }
 
@@ -352,6 +540,7 @@ private:
   Eigen::Matrix<double, 6, Eigen::Dynamic> basis_;
   int freedom_;
   int of_poses_; ///< number of unknowns: all poses but the first, and the common error
+  int surfaces_ = 0;
   std::vector<std::size_t> numbers_;
   std::vector<Equation> equations_;
 };
@@ -377,11 +566,12 @@ public:
   {
     if (!is_solved_)
       return {};
-    const int of_planes = equations_.ofPlanes();
-    MatrixXd wanted = MatrixXd::Zero(equations_.unknowns(), of_planes);
-    wanted.bottomRows(of_planes).setIdentity();
-    const MatrixXd covariance = solver_.solve(wanted).bottomRows(of_planes);
-    const Eigen::VectorXd likely = errors_.tail(of_planes);
+    const int begin = equations_.beginOfPlanes();
+    const int size = 3 * static_cast<int>(equations_.numbers().size());
+    MatrixXd wanted = MatrixXd::Zero(equations_.unknowns(), size);
+    wanted.middleRows(begin, size).setIdentity();
+    const MatrixXd covariance = solver_.solve(wanted).middleRows(begin, size);
+    const Eigen::VectorXd likely = errors_.segment(begin, size);
     return (covariance + covariance.transpose()) / 2 + likely * likely.transpose();
   }
 
@@ -450,7 +640,7 @@ private:
   }
 
   /** Of the stated noise of the odometry; metres, of the offset and the rim of what is seen. */
-  static constexpr Scales first_scales{1, 1, 0.002, 0.002, 0.002, 0.002};
+  static constexpr Scales first_scales{1, 1, 0.002, 0.002, 0.002, 0.002, 0.01, 0.01};
 
   const PoseEquations& equations_;
   Scales scales_ = first_scales;
@@ -533,6 +723,16 @@ addPoseErrors(const CloudRows& cloud,
   }
   if (equations.numbers().empty())
     return;
+  LooseCells loose;
+  forEachSeen(cloud,
+              labels,
+              views,
+              [&](const Eigen::Vector3f& point, std::int32_t view, std::int32_t label) {
+                if (label < 0)
+                  loose.add(point, view);
+              });
+  for (const Piece& piece : loose.pieces(model.poses))
+    equations.addPiece(piece);
   const MatrixXd squares = PoseErrorSolution(equations).squaredErrors();
   if (squares.allFinite() && squares.size() > 0)
     setModes(equations.numbers(), squares, planes);
