@@ -1,5 +1,6 @@
+#include "seen_surfaces.h"
+
 #include <pcl/core/exceptions.h>
-#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/pipeline/pose_errors.h>
 
 #include <Eigen/Eigenvalues>
@@ -8,8 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
-#include <map>
 #include <optional>
 #include <random>
 #include <string>
@@ -25,278 +24,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 using Row6 = Eigen::Matrix<double, 1, 6>;
-
-constexpr std::size_t max_planes = 300, max_views = 2000, min_points = 200;
-
-/** \brief Points of a plane that an observation saw: places u, v on the plane, from its centre,
- * and distances d from it; metres. */
-struct Glimpse {
-  std::size_t count = 0;
-  Vector2d sum = Vector2d::Zero(),
-           d_sums = Vector2d::Zero(); ///< of (u, v) and of d (u, v)
-  Matrix2d squares = Matrix2d::Zero();
-  double d_sum = 0;
-
-  void
-  add(const Vector2d& place, double d)
-  {
-    ++count;
-    sum += place;
-    squares += place * place.transpose();
-    d_sum += d;
-    d_sums += d * place;
-  }
-
-  double
-  number() const
-  {
-    return static_cast<double>(count);
-  }
-
-  Vector2d
-  center() const
-  {
-    return sum / number();
-  }
-
-  double
-  offset() const
-  {
-    return d_sum / number();
-  }
-
-  Matrix2d
-  scatter() const
-  {
-    return squares / number() - center() * center().transpose();
-  }
-
-  /** \brief Covariance between the places and the distances. */
-  Vector2d
-  bend() const
-  {
-    return d_sums / number() - offset() * center();
-  }
-};
-
-/** \brief The glimpses of each plane by observation, those with enough points. */
-using Glimpses = std::vector<std::map<std::int32_t, Glimpse>>;
-
-/** \brief Calls see (point, observation, plane or -1) for the points of a cloud that observations
- * have seen. */
-template <typename See>
-void
-forEachSeen(const CloudRows& cloud,
-            const PointLabels& labels,
-            std::size_t views,
-            const See& see)
-{
-  const PCLPointField* const field =
-      acmap::findField(cloud.layout(), "view", PCLPointField::INT32);
-  if (!field || labels.size() != cloud.size())
-    return;
-  const acmap::PointView points = acmap::requirePoints(cloud);
-  const std::size_t step = cloud.layout().point_step;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    std::int32_t view = 0;
-    std::memcpy(&view, cloud.data() + i * step + field->offset, sizeof view);
-    if (view >= 0 && static_cast<std::size_t>(view) < views)
-      see(points[i], view, labels[i]);
-  }
-}
-
-void
-dropSparse(std::size_t min_count, std::map<std::int32_t, Glimpse>& glimpses)
-{
-  for (auto one = glimpses.begin(); one != glimpses.end();)
-    one = one->second.count < min_count ? glimpses.erase(one) : std::next(one);
-}
-
-Glimpses
-glimpsesOf(const CloudRows& cloud,
-           const PointLabels& labels,
-           const std::vector<PlanePatch>& planes,
-           std::size_t views)
-{
-  Glimpses glimpses(std::min(planes.size(), max_planes));
-  forEachSeen(cloud,
-              labels,
-              views,
-              [&](const Eigen::Vector3f& point, std::int32_t view, std::int32_t label) {
-                if (label < 0 || static_cast<std::size_t>(label) >= glimpses.size())
-                  return;
-                const auto number = static_cast<std::size_t>(label);
-                const PlanePatch& plane = planes[number];
-                const Vector3d place = point.cast<double>();
-                const Vector3d arm = place - plane.center;
-                glimpses[number][view].add(
-                    {arm.dot(plane.axis_u), arm.dot(plane.axis_v)},
-                    plane.coefficients.dot(place.homogeneous()));
-              });
-  for (auto& of_plane : glimpses)
-    dropSparse(min_points, of_plane);
-  return glimpses;
-}
-
-/** \brief Keeps the observations that see the front of a plane, which is where most of its points
- * were seen from: points of a thin wall's other face are labelled alike. */
-void
-keepFront(const PlanePatch& plane,
-          const std::vector<Eigen::Isometry3d>& poses,
-          std::map<std::int32_t, Glimpse>& glimpses)
-{
-  const auto isBefore = [&](std::int32_t view) {
-    const Vector3d sensor = poses[static_cast<std::size_t>(view)].translation();
-    return plane.coefficients.dot(sensor.homogeneous()) > 0;
-  };
-  double balance = 0;
-  for (const auto& [view, glimpse] : glimpses)
-    balance += isBefore(view) ? glimpse.number() : -glimpse.number();
-  for (auto one = glimpses.begin(); one != glimpses.end();)
-    one = isBefore(one->first) == (balance > 0) ? std::next(one) : glimpses.erase(one);
-}
-
-/** \brief Sums of points. */
-struct Moments {
-  std::size_t count = 0;
-  Vector3d sum = Vector3d::Zero();
-  Matrix3d squares = Matrix3d::Zero();
-
-  void
-  add(const Vector3d& point)
-  {
-    ++count;
-    sum += point;
-    squares += point * point.transpose();
-  }
-
-  void
-  add(const Moments& other)
-  {
-    count += other.count;
-    sum += other.sum;
-    squares += other.squares;
-  }
-
-  Vector3d
-  mean() const
-  {
-    return sum / static_cast<double>(count);
-  }
-
-  Matrix3d
-  covariance() const
-  {
-    return squares / static_cast<double>(count) - mean() * mean().transpose();
-  }
-
-  /** \brief The same points as they lie on a plane. */
-  Glimpse
-  on(const PlanePatch& plane, const Vector3d& center) const
-  {
-    Eigen::Matrix<double, 2, 3> axes;
-    axes << plane.axis_u.transpose(), plane.axis_v.transpose();
-    const Vector3d normal = plane.coefficients.head<3>();
-    const double number = static_cast<double>(count);
-    const Vector3d arms = sum - number * center;
-    const Matrix3d products = squares - sum * center.transpose() -
-                              center * sum.transpose() +
-                              number * center * center.transpose();
-    Glimpse glimpse;
-    glimpse.count = count;
-    glimpse.sum = axes * arms;
-    glimpse.d_sums = axes * products * normal;
-    glimpse.squares = axes * products * axes.transpose();
-    glimpse.d_sum = normal.dot(arms);
-    return glimpse;
-  }
-};
-
-/** \brief A small flat piece of what is no plane of the map: clutter, columns, frames. */
-struct Piece {
-  PlanePatch patch; ///< centre, axes and coefficients
-  std::map<std::int32_t, Glimpse> glimpses;
-  std::size_t count = 0;
-};
-
-/** \brief Cells of space with the points that belong to no plane, by observation. */
-class LooseCells {
-public:
-  void
-  add(const Eigen::Vector3f& point, std::int32_t view)
-  {
-    const Eigen::Array3d place = point.cast<double>().array() / edge;
-    if (!((place.abs() < limit).all()))
-      return;
-    const Cell cell{static_cast<int>(std::floor(place[0])),
-                    static_cast<int>(std::floor(place[1])),
-                    static_cast<int>(std::floor(place[2]))};
-    if (cells_.size() < max_cells || cells_.count(cell) > 0)
-      cells_[cell][view].add(point.cast<double>() - cornerOf(cell));
-  }
-
-  /** \brief The flat pieces that several observations saw, those with the most points. */
-  std::vector<Piece>
-  pieces(const std::vector<Eigen::Isometry3d>& poses) const
-  {
-    std::vector<Piece> found;
-    for (const auto& [cell, by_view] : cells_)
-      if (std::optional<Piece> piece = pieceOf(cell, by_view, poses))
-        found.push_back(std::move(*piece));
-    std::stable_sort(found.begin(), found.end(), [](const Piece& a, const Piece& b) {
-      return a.count > b.count;
-    });
-    found.resize(std::min(found.size(), max_pieces));
-    return found;
-  }
-
-private:
-  using Cell = std::array<int, 3>;
-
-  static constexpr double edge = 0.25, limit = 1e8; // metres, cells
-  static constexpr std::size_t max_cells = 100000, max_pieces = 500;
-
-  static Vector3d
-  cornerOf(const Cell& cell)
-  {
-    return edge * Vector3d(cell[0], cell[1], cell[2]);
-  }
-
-  static std::optional<Piece>
-  pieceOf(const Cell& cell,
-          const std::map<std::int32_t, Moments>& by_view,
-          const std::vector<Eigen::Isometry3d>& poses)
-  {
-    constexpr std::size_t min_of_view = 30;
-    constexpr double max_thickness = 0.02, min_extent = 0.03; // metres
-    Moments all;
-    for (const auto& [view, moments] : by_view)
-      if (moments.count >= min_of_view)
-        all.add(moments);
-    if (by_view.size() < 2 || all.count < 2 * min_of_view)
-      return std::nullopt;
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(all.covariance());
-    if (!(axes.eigenvalues()[0] < max_thickness * max_thickness) ||
-        !(axes.eigenvalues()[1] > min_extent * min_extent))
-      return std::nullopt;
-    Piece piece;
-    PlanePatch& patch = piece.patch;
-    patch.center = cornerOf(cell) + all.mean();
-    const Vector3d normal = axes.eigenvectors().col(0);
-    patch.axis_u = axes.eigenvectors().col(2);
-    patch.axis_v = normal.cross(patch.axis_u);
-    patch.coefficients << normal, -normal.dot(patch.center);
-    for (const auto& [view, moments] : by_view)
-      if (moments.count >= min_of_view)
-        piece.glimpses[view] = moments.on(patch, all.mean());
-    keepFront(patch, poses, piece.glimpses);
-    for (const auto& [view, glimpse] : piece.glimpses)
-      piece.count += glimpse.count;
-    return piece.glimpses.size() < 2 ? std::nullopt : std::optional(piece);
-  }
-
-  std::map<Cell, std::map<std::int32_t, Moments>> cells_;
-};
 
 /** \brief Equations with a common scale of their noise. */
 enum Kind : std::size_t {
@@ -345,7 +72,7 @@ public:
 
   /** \brief Adds what observations saw of a plane. */
   void
-  addPlane(std::size_t plane, const std::map<std::int32_t, Glimpse>& glimpses)
+  addPlane(std::size_t plane, const acmap::Glimpses& glimpses)
   {
     const bool is_still = isStill(planes_[plane].coefficients.head<3>());
     numbers_.push_back(plane);
@@ -357,7 +84,7 @@ public:
 
   /** \brief Adds what observations saw of something else, after all planes. */
   void
-  addPiece(const Piece& piece)
+  addPiece(const acmap::LoosePiece& piece)
   {
     addSurface(piece.patch, piece.glimpses, piece_offset_kind, piece_bend_kind);
   }
@@ -400,7 +127,7 @@ private:
 
   void
   addSurface(const PlanePatch& patch,
-             const std::map<std::int32_t, Glimpse>& glimpses,
+             const acmap::Glimpses& glimpses,
              Kind offset_kind,
              Kind bend_kind)
   {
@@ -706,6 +433,7 @@ addPoseErrors(const CloudRows& cloud,
               const PoseErrorModel& model,
               std::vector<PlanePatch>& planes)
 {
+  constexpr std::size_t max_views = 2000;
   const std::size_t views = model.poses.size();
   if (!cloud || views < 2 || views > max_views)
     return;
@@ -713,25 +441,16 @@ addPoseErrors(const CloudRows& cloud,
     throw acmap::BadArgument(
         std::to_string(model.before.size()) + " poses before the correction of " +
         std::to_string(views) + " are refused: there must be one per pose, or none");
-  Glimpses glimpses = glimpsesOf(cloud, labels, planes, views);
   PoseEquations equations(model, planes);
   equations.addOdometry();
-  for (std::size_t plane = 0; plane < glimpses.size(); ++plane) {
-    keepFront(planes[plane], model.poses, glimpses[plane]);
+  const std::vector<acmap::Glimpses> glimpses =
+      acmap::glimpsesOfPlanes(cloud, labels, planes, model.poses);
+  for (std::size_t plane = 0; plane < glimpses.size(); ++plane)
     if (!glimpses[plane].empty())
       equations.addPlane(plane, glimpses[plane]);
-  }
   if (equations.numbers().empty())
     return;
-  LooseCells loose;
-  forEachSeen(cloud,
-              labels,
-              views,
-              [&](const Eigen::Vector3f& point, std::int32_t view, std::int32_t label) {
-                if (label < 0)
-                  loose.add(point, view);
-              });
-  for (const Piece& piece : loose.pieces(model.poses))
+  for (const acmap::LoosePiece& piece : acmap::loosePieces(cloud, labels, model.poses))
     equations.addPiece(piece);
   const MatrixXd squares = PoseErrorSolution(equations).squaredErrors();
   if (squares.allFinite() && squares.size() > 0)
