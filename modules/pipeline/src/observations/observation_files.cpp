@@ -4,8 +4,10 @@
 #include "rgbd/text_rows.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/folder_entries.h>
 #include <pcl/core/output_file.h>
+#include <pcl/core/point_cloud_file.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/pipeline/observation_files.h>
 

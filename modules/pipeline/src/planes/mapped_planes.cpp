@@ -1,3 +1,4 @@
+#include <pcl/common/io.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/pipeline/mapped_planes.h>

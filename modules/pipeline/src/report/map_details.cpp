@@ -1,5 +1,6 @@
 #include "report/map_details.h"
 
+#include <pcl/core/fields.h>
 #include <pcl/core/map_up.h>
 #include <pcl/core/surface_sentence.h>
 #include <pcl/pipeline/unseen_surfaces.h>
