@@ -333,16 +333,19 @@ private:
   Scales
   takenFreedom() const
   {
-    constexpr Eigen::Index probes = 128;
+    constexpr Eigen::Index probes = 128, at_once = 8; // all at once may be a gigabyte
     std::mt19937 random; // of its default seed, the same in every run
-    MatrixXd signs(weighted_.rows(), probes);
-    for (double& sign : signs.reshaped())
-      sign = random() & 1U ? 1 : -1;
-    const MatrixXd hat = weighted_ * solver_.solve(weighted_.transpose() * signs);
-    const Eigen::VectorXd taken = signs.cwiseProduct(hat).rowwise().mean();
+    Eigen::VectorXd taken = Eigen::VectorXd::Zero(weighted_.rows());
+    MatrixXd signs(weighted_.rows(), at_once);
+    for (Eigen::Index probe = 0; probe < probes; probe += at_once) {
+      for (double& sign : signs.reshaped())
+        sign = random() & 1U ? 1 : -1;
+      const MatrixXd hat = weighted_ * solver_.solve(weighted_.transpose() * signs);
+      taken += signs.cwiseProduct(hat).rowwise().sum();
+    }
     Scales sums{};
     for (std::size_t i = 0; i < equations_.all().size(); ++i)
-      sums[equations_.all()[i].kind] += taken[static_cast<Eigen::Index>(i)];
+      sums[equations_.all()[i].kind] += taken[static_cast<Eigen::Index>(i)] / probes;
     return sums;
   }
 
