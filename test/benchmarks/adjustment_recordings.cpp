@@ -2,6 +2,7 @@
 #include "bench.h"
 #include "bench_data.h"
 #include "chain_runs.h"
+#include "laser_recording.h"
 
 #include <pcl/core/impl/moments.h>
 #include <pcl/core/trajectory.h>
@@ -55,27 +56,17 @@ struct LaserScans {
 };
 
 std::pair<LaserScans, LaserScans>
-loadScans(const std::string& folder)
+partsOf(const ObservationSequence& recorded)
 {
-  constexpr float unit = 1.0F / 500; // metres
   constexpr std::size_t every = 5;
   std::pair<LaserScans, LaserScans> scans; // used, held out
-  const Trajectory trajectory =
-      loadTrajectory(pathOfData(folder + "/trajectory.txt").value());
-  for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
-    const std::string number = std::to_string(i);
-    const std::string name =
-        folder + "/scan_" + std::string(3 - number.size(), '0') + number + ".ply.xz";
-    const PointCloudFile file = loadMaybePacked(pathOfData(name).value());
+  for (std::size_t i = 0; i < recorded.size(); ++i) {
+    const PosedObservation scan = recorded.load(i);
     const auto cloud = std::make_shared<PointCloud<PointXYZ>>();
-    const PointView points = file.points();
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Eigen::Vector3f point = unit * points[k];
-      cloud->push_back({point.x(), point.y(), point.z()});
-    }
+    fromPCLPointCloud2(scan.file->cloud, *cloud);
     LaserScans& part = i % every == every - 1 ? scans.second : scans.first;
     part.clouds.push_back(cloud);
-    part.poses.push_back(trajectory.poses[i]);
+    part.poses.push_back(scan.T_map_camera);
   }
   return scans;
 }
@@ -178,12 +169,12 @@ const Section kitchen_section("kitchen", [] {
 
 const Section livox_section("livox", [] {
   constexpr double max_ratio = 0.7;
-  const std::string folder = "C_sequence/livox_scans_60";
-  if (!pathOfData(folder + "/trajectory.txt"))
+  const std::optional<ObservationSequence> scans = loadLaserScans();
+  if (!scans)
     return;
   // Held-out scans are adjusted to the map that the others give: both sets of poses are
   // found in one run each, so that a held-out scan never moved what it is compared with.
-  const auto [used, held_out] = loadScans(folder);
+  const auto [used, held_out] = partsOf(*scans);
   PlaneAdjustment<PointXYZ> adjustment;
   adjustment.setNumberOfThreads(1);
   adjustment.setOdometryNoise({0.02, 0.01, 0.005, 0.01});

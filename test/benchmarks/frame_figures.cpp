@@ -1,4 +1,5 @@
 #include "bench.h"
+#include "boxed_hall.h"
 #include "laser_recording.h"
 
 #include <pcl/core/random.h>
@@ -297,58 +298,32 @@ printFrames()
   }
 }
 
-/** The corridor of a robot with a scanner of 17 rings: boxes along both walls. */
-class BoxedCorridor {
-public:
-  BoxedCorridor()
-  {
-    Random random(11);
-    for (double z = 1.25; z < length; z += 2.5)
-      for (const double side : {-1.0, 1.0}) {
-        const double width = 0.3 + 0.3 * random.uniform();
-        const double depth = 0.3 + 0.3 * random.uniform();
-        const double height = 0.3 + 0.3 * random.uniform();
-        boxes_.emplace_back(
-            Vector3d(side > 0 ? half_width - depth : -half_width, floor - height, z),
-            Vector3d(side > 0 ? half_width : depth - half_width, floor, z + width));
-      }
-  }
-
-  /** Where a ray of length 1 ends, metres. */
-  double
-  range(const Vector3d& eye, const Vector3d& ray) const
-  {
-    const Vector3d low(-half_width, floor - 2.5, 0), high(half_width, floor, length);
-    double nearest = 1e9;
-    for (int axis = 0; axis < 3; ++axis)
-      nearest = std::min(nearest,
-                         ((ray[axis] > 0 ? high : low)[axis] - eye[axis]) / ray[axis]);
-    for (const Eigen::AlignedBox3d& box : boxes_) {
-      double enters = 0, leaves = nearest;
-      for (int axis = 0; axis < 3; ++axis) {
-        const double a = (box.min()[axis] - eye[axis]) / ray[axis];
-        const double b = (box.max()[axis] - eye[axis]) / ray[axis];
-        enters = std::max(enters, std::min(a, b));
-        leaves = std::min(leaves, std::max(a, b));
-      }
-      if (enters < leaves)
-        nearest = std::min(nearest, enters);
+/** The corridor of a robot with a scanner of 17 rings: boxes along both walls; y points down. */
+test::BoxedHall
+boxedCorridor()
+{
+  constexpr double length = 18, half_width = 1, floor = 0.8;
+  test::BoxedHall corridor{
+      {Vector3d(-half_width, floor - 2.5, 0), Vector3d(half_width, floor, length)}, {}};
+  Random random(11);
+  for (double z = 1.25; z < length; z += 2.5)
+    for (const double side : {-1.0, 1.0}) {
+      const double width = 0.3 + 0.3 * random.uniform();
+      const double depth = 0.3 + 0.3 * random.uniform();
+      const double height = 0.3 + 0.3 * random.uniform();
+      corridor.things.emplace_back(
+          Vector3d(side > 0 ? half_width - depth : -half_width, floor - height, z),
+          Vector3d(side > 0 ? half_width : depth - half_width, floor, z + width));
     }
-    return nearest;
-  }
-
-  static constexpr double length = 18, half_width = 1, floor = 0.8; ///< y points down
-
-private:
-  std::vector<Eigen::AlignedBox3d> boxes_;
-};
+  return corridor;
+}
 
 Recording
 sparseRecording(std::uint64_t seed)
 {
   constexpr int rings = 17, steps = 720, clouds = 10;
   constexpr double reach = 8, noise = 0.005, apart = 1.7;
-  const BoxedCorridor corridor;
+  const test::BoxedHall corridor = boxedCorridor();
   Random random(seed);
   Recording recording;
   for (int i = 0; i < clouds; ++i) {

@@ -1,3 +1,5 @@
+#include "boxed_hall.h"
+
 #include <pcl/conversions.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/random.h>
@@ -21,35 +23,7 @@ using testing::HasSubstr;
 
 using Clouds = std::vector<std::shared_ptr<const PointCloudFile>>;
 
-/** A box that is seen from inside, with boxes in it; z is up. */
-struct Hall {
-  AlignedBox3d walls;
-  std::vector<AlignedBox3d> things;
-
-  double
-  range(const Vector3d& eye, const Vector3d& ray) const
-  {
-    double nearest = 1e9;
-    for (int axis = 0; axis < 3; ++axis)
-      nearest = std::min(
-          nearest,
-          ((ray[axis] > 0 ? walls.max() : walls.min())[axis] - eye[axis]) / ray[axis]);
-    for (const AlignedBox3d& thing : things) {
-      double enters = 0, leaves = nearest;
-      for (int axis = 0; axis < 3; ++axis) {
-        const double a = (thing.min()[axis] - eye[axis]) / ray[axis];
-        const double b = (thing.max()[axis] - eye[axis]) / ray[axis];
-        enters = std::max(enters, std::min(a, b));
-        leaves = std::min(leaves, std::max(a, b));
-      }
-      if (enters < leaves)
-        nearest = std::min(nearest, enters);
-    }
-    return nearest;
-  }
-};
-
-Hall
+BoxedHall
 furnished()
 {
   return {{Vector3d(-4, -3, 0), Vector3d(5, 4, 2.6)},
@@ -60,7 +34,7 @@ furnished()
 
 /** A scan of so many rings, of one row, without colours. */
 std::shared_ptr<const PointCloudFile>
-scanOf(const Hall& hall, const Isometry3d& pose, int rings, std::uint64_t seed)
+scanOf(const BoxedHall& hall, const Isometry3d& pose, int rings, std::uint64_t seed)
 {
   constexpr int columns = 400;
   constexpr double reach = 10, noise = 0.008;
@@ -127,7 +101,7 @@ TEST(ScanOdometry, FollowsScansWithoutImages)
 /** Nothing shows how far the sensor went: no motion is better than an assumed one. */
 TEST(ScanOdometry, HasNoMotionAlongABareCorridor)
 {
-  const Hall corridor{{Vector3d(-100, -1, 0), Vector3d(100, 1, 2.5)}, {}};
+  const BoxedHall corridor{{Vector3d(-100, -1, 0), Vector3d(100, 1, 2.5)}, {}};
   Clouds clouds;
   for (int i = 0; i < 2; ++i) {
     Isometry3d pose = Isometry3d::Identity();

@@ -1,5 +1,7 @@
 #include "chain/motion_step.h"
 
+#include <pcl/core/impl/rotation_vector.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <limits>
@@ -83,11 +85,7 @@ covarianceOf(const NormalEquations& equations,
 Eigen::Isometry3d
 afterStep(const Vector6& step, const Eigen::Isometry3d& pose)
 {
-  const Eigen::Vector3d turn = step.tail<3>();
-  const double angle = turn.norm();
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  if (angle > 0)
-    motion.linear() = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+  Eigen::Isometry3d motion(rotationOf(step.tail<3>()));
   motion.translation() = step.head<3>();
   Eigen::Isometry3d moved = motion * pose;
   moved.linear() = Eigen::Quaterniond(moved.linear()).normalized().toRotationMatrix();

@@ -1,5 +1,7 @@
 #include "motion_fit/motion_energy.h"
 
+#include <pcl/core/impl/rotation_vector.h>
+
 #include <algorithm>
 
 namespace pcl::acmap {
@@ -13,10 +15,7 @@ constexpr double converged_step = 1e-7;
 void
 turn(Descent& at, const Eigen::Vector3d& turn)
 {
-  const double angle = turn.norm();
-  if (angle > 0)
-    at.rotation =
-        Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle)) * at.rotation;
+  at.rotation = Eigen::Quaterniond(rotationOf(turn)) * at.rotation;
   at.rotation.normalize();
 }
 

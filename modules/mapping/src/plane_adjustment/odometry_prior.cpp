@@ -4,6 +4,7 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/arguments.h>
+#include <pcl/core/impl/rotation_vector.h>
 
 #include <Eigen/Cholesky>
 
@@ -54,12 +55,10 @@ Eigen::Isometry3d
 retract(const Eigen::Isometry3d& pose, const Vector6& motion)
 {
   Eigen::Isometry3d result = pose;
-  const Eigen::Vector3d turn = motion.head<3>();
-  const double angle = turn.norm();
-  if (angle > 0) {
-    const Eigen::Quaterniond rotation(
-        Eigen::Quaterniond(pose.linear()) *
-        Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle)));
+  const Eigen::AngleAxisd turn = rotationOf(motion.head<3>());
+  if (turn.angle() > 0) {
+    const Eigen::Quaterniond rotation(Eigen::Quaterniond(pose.linear()) *
+                                      Eigen::Quaterniond(turn));
     result.linear() = rotation.normalized().toRotationMatrix();
   }
   result.translation() = pose.translation() + pose.linear() * motion.tail<3>();

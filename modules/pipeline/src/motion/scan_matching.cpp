@@ -2,6 +2,7 @@
 
 #include <pcl/core/impl/moments.h>
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/rotation_vector.h>
 #include <pcl/core/impl/voxel_windows.h>
 
 #include <Eigen/Cholesky>
@@ -139,11 +140,7 @@ Isometry3d
 movedBy(const Isometry3d& motion, const Vector6d& step)
 {
   Isometry3d result = motion;
-  const double angle = step.tail<3>().norm();
-  if (angle > 0)
-    result.linear() =
-        Eigen::AngleAxisd(angle, step.tail<3>() / angle).toRotationMatrix() *
-        motion.linear();
+  result.linear() = rotationOf(step.tail<3>()).toRotationMatrix() * motion.linear();
   result.translation() += step.head<3>();
   return result;
 }

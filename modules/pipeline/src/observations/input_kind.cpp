@@ -1,4 +1,5 @@
 #include "observations/file_ending.h"
+#include "observations/folder_names.h"
 
 #include <pcl/core/bag_file.h>
 #include <pcl/pipeline/input_kind.h>
@@ -17,20 +18,10 @@ namespace pcl {
 namespace {
 
 using acmap::endingOf;
+using acmap::namesOfFolder;
 using acmap::trajectory_name;
 
 namespace fs = std::filesystem;
-
-std::set<std::string>
-namesOfFolder(const fs::path& folder)
-{
-  std::set<std::string> names;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-    names.insert(entry->path().filename().string());
-  return names;
-}
 
 InputKind
 kindOfFolder(const fs::path& folder)

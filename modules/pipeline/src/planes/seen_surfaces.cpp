@@ -1,6 +1,7 @@
 #include "seen_surfaces.h"
 
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/moments.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -65,61 +66,43 @@ keepFront(const PlanePatch& plane,
     one = isBefore(one->first) == (balance > 0) ? std::next(one) : glimpses.erase(one);
 }
 
-/** \brief Sums of points. */
-struct Moments {
-  std::size_t count = 0;
-  Vector3d sum = Vector3d::Zero();
-  Matrix3d squares = Matrix3d::Zero();
+/** \brief Sum of the products p p^T. */
+Matrix3d
+productsOf(const Moments& sums)
+{
+  Matrix3d products;
+  products << sums.xx, sums.xy, sums.xz, sums.xy, sums.yy, sums.yz, sums.xz, sums.yz,
+      sums.zz;
+  return products;
+}
 
-  void
-  add(const Vector3d& point)
-  {
-    ++count;
-    sum += point;
-    squares += point * point.transpose();
-  }
+Matrix3d
+covarianceOf(const Moments& sums)
+{
+  return productsOf(sums) / sums.count - sums.mean() * sums.mean().transpose();
+}
 
-  void
-  add(const Moments& other)
-  {
-    count += other.count;
-    sum += other.sum;
-    squares += other.squares;
-  }
-
-  Vector3d
-  mean() const
-  {
-    return sum / static_cast<double>(count);
-  }
-
-  Matrix3d
-  covariance() const
-  {
-    return squares / static_cast<double>(count) - mean() * mean().transpose();
-  }
-
-  /** \brief The same points as they lie on a plane. */
-  Glimpse
-  on(const PlanePatch& plane, const Vector3d& center) const
-  {
-    Eigen::Matrix<double, 2, 3> axes;
-    axes << plane.axis_u.transpose(), plane.axis_v.transpose();
-    const Vector3d normal = plane.coefficients.head<3>();
-    const double number = static_cast<double>(count);
-    const Vector3d arms = sum - number * center;
-    const Matrix3d products = squares - sum * center.transpose() -
-                              center * sum.transpose() +
-                              number * center * center.transpose();
-    Glimpse glimpse;
-    glimpse.count = count;
-    glimpse.sum = axes * arms;
-    glimpse.d_sums = axes * products * normal;
-    glimpse.squares = axes * products * axes.transpose();
-    glimpse.d_sum = normal.dot(arms);
-    return glimpse;
-  }
-};
+/** \brief The points as they lie on a plane.
+ * \param[in] center of the plane, in the frame of the sums */
+Glimpse
+glimpseOf(const Moments& sums, const PlanePatch& plane, const Vector3d& center)
+{
+  Eigen::Matrix<double, 2, 3> axes;
+  axes << plane.axis_u.transpose(), plane.axis_v.transpose();
+  const Vector3d normal = plane.coefficients.head<3>();
+  const Vector3d sum(sums.x, sums.y, sums.z);
+  const Vector3d arms = sum - sums.count * center;
+  const Matrix3d products = productsOf(sums) - sum * center.transpose() -
+                            center * sum.transpose() +
+                            sums.count * center * center.transpose();
+  Glimpse glimpse;
+  glimpse.count = static_cast<std::size_t>(sums.count);
+  glimpse.sum = axes * arms;
+  glimpse.d_sums = axes * products * normal;
+  glimpse.squares = axes * products * axes.transpose();
+  glimpse.d_sum = normal.dot(arms);
+  return glimpse;
+}
 
 /** \brief Cells of space with the points that belong to no plane, by observation. */
 class LooseCells {
@@ -134,7 +117,7 @@ public:
                     static_cast<int>(std::floor(place[1])),
                     static_cast<int>(std::floor(place[2]))};
     if (cells_.size() < max_cells || cells_.count(cell) > 0)
-      cells_[cell][view].add(point.cast<double>() - cornerOf(cell));
+      cells_[cell][view] += momentsOf(point.cast<double>() - cornerOf(cell));
   }
 
   /** \brief The flat pieces that several observations saw, those with the most points. */
@@ -170,15 +153,15 @@ private:
           const std::map<std::int32_t, Moments>& by_view,
           const std::vector<Eigen::Isometry3d>& poses)
   {
-    constexpr std::size_t min_of_view = 30;
+    constexpr double min_of_view = 30;
     constexpr double max_thickness = 0.02, min_extent = 0.03; // metres
     Moments all;
     for (const auto& [view, moments] : by_view)
       if (moments.count >= min_of_view)
-        all.add(moments);
+        all += moments;
     if (by_view.size() < 2 || all.count < 2 * min_of_view)
       return std::nullopt;
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(all.covariance());
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(covarianceOf(all));
     if (!(axes.eigenvalues()[0] < max_thickness * max_thickness) ||
         !(axes.eigenvalues()[1] > min_extent * min_extent))
       return std::nullopt;
@@ -191,7 +174,7 @@ private:
     patch.coefficients << normal, -normal.dot(patch.center);
     for (const auto& [view, moments] : by_view)
       if (moments.count >= min_of_view)
-        piece.glimpses[view] = moments.on(patch, all.mean());
+        piece.glimpses[view] = glimpseOf(moments, patch, all.mean());
     keepFront(patch, poses, piece.glimpses);
     for (const auto& [view, glimpse] : piece.glimpses)
       piece.count += glimpse.count;

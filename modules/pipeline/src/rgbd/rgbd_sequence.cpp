@@ -1,4 +1,5 @@
 #include "observations/file_ending.h"
+#include "observations/folder_names.h"
 #include "rgbd/foreign_layouts.h"
 #include "rgbd/image_sizes.h"
 #include "rgbd/layouts.h"
@@ -34,17 +35,6 @@ requireRigid(const Eigen::Matrix4d& matrix, const std::string& path)
                                     "0 0 0 1 below them, are needed");
 }
 
-std::set<std::string>
-namesIn(const fs::path& folder)
-{
-  std::set<std::string> names;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-    names.insert(entry->path().filename().string());
-  return names;
-}
-
 /** \brief A known layout. */
 struct RgbdLayout {
   bool (*fits)(const std::string& folder);
@@ -67,7 +57,7 @@ constexpr RgbdLayout layouts[] = {
 bool
 holdsOnlyRgbd(const std::string& folder)
 {
-  const std::set<std::string> names = namesIn(folder);
+  const std::set<std::string> names = namesOfFolder(folder);
   return std::none_of(names.begin(), names.end(), [](const std::string& name) {
     const std::string ending = endingOf(name);
     return name == "session.yaml" || name == "map.json" || ending == ".acf" ||

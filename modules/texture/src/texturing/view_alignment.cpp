@@ -4,6 +4,7 @@
 #include "texturing/sheet_plane.h"
 
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/rotation_vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +82,14 @@ struct Level {
   std::vector<SheetView> views; ///< those of a sheet follow each other
 };
 
+/** Counts a value of a block. */
+void
+addTo(float& sum, float& count, float value)
+{
+  sum = std::isnan(sum) ? value : sum + value;
+  count = std::isnan(count) ? 1 : count + 1;
+}
+
 /** Calls a function with the block and each sample of a sheet. */
 template <typename Function>
 void
@@ -117,12 +126,9 @@ viewsOf(std::size_t number,
     }
   forSamples(sheet, block, [&](std::int32_t c, std::int32_t r, const Sample& sample) {
     const auto view = static_cast<std::size_t>(sample.view);
-    float& sum = views[places[view]].image(c, r);
-    float& count = views[places[view]].moved(c, r);
     const auto value = static_cast<float>(
         gains[view] * (sample.color[0] + sample.color[1] + sample.color[2]) / 3);
-    sum = std::isnan(sum) ? value : sum + value;
-    count = std::isnan(count) ? 1 : count + 1;
+    addTo(views[places[view]].image(c, r), views[places[view]].moved(c, r), value);
   });
   for (SheetView& view : views)
     for (std::size_t i = 0; i < view.image.values.size(); ++i)
@@ -207,12 +213,8 @@ sumViews(Level& level, std::size_t number, std::size_t begin, std::size_t end)
       for (std::int32_t column = image.left; column < image.left + image.width;
            ++column, ++i) {
         const float value = image.values[i];
-        if (std::isnan(value))
-          continue;
-        float& sum = sheet.sum(column, row);
-        float& count = sheet.count(column, row);
-        sum = std::isnan(sum) ? value : sum + value;
-        count = std::isnan(count) ? 1 : count + 1;
+        if (!std::isnan(value))
+          addTo(sheet.sum(column, row), sheet.count(column, row), value);
       }
   }
 }
@@ -319,13 +321,9 @@ moveCamera(Equations equations, MovedCamera& camera)
   equations.right -= prior.cwiseProduct(total);
   const Matrix6d matrix = equations.matrix.selfadjointView<Eigen::Upper>();
   const Vector6d motion = damping * matrix.ldlt().solve(equations.right);
-  const double angle = motion.head<3>().norm();
   if (!motion.allFinite())
     return;
-  Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
-  if (angle > 0)
-    turn.linear() =
-        Eigen::AngleAxisd(angle, motion.head<3>() / angle).toRotationMatrix();
+  const Eigen::Isometry3d turn(rotationOf(motion.head<3>()));
   camera.move = Eigen::Translation3d(eye + motion.tail<3>()) * turn *
                 Eigen::Translation3d(-eye) * camera.move;
 }

@@ -12,8 +12,8 @@ struct CompactMap;
 struct CompactMappingReport;
 struct FloorPlan;
 
-/** \brief What is told of a map that was made: the contents of report.json, as a page for
- * a browser and as the last lines of a summary.
+/** \brief The report on a map: the contents of report.json, as a page for a browser and as
+ * the last lines of a summary.
  *
  * What a report does not have is left out of both, and a damaged one gives an emptier
  * page.
@@ -74,13 +74,13 @@ loadMapReport(const std::string& path);
 
 namespace acmap {
 
-/** \brief What a report has of the parts of a map, in the order of map.json: "planes",
+/** \brief The parts of a map in its report, in the order of map.json: "planes",
  * "rooms", "openings", "cylinders", "boxes", "recesses", and its frame: "up", "tilt_deg",
  * "shift"; metres, a JSON object. */
 ACMAP_EXPORT std::string
 mapDetailsText(const CompactMap& map);
 
-/** \brief What the picture of the page shows of a map, seen from above: "rooms" and
+/** \brief The plan of a map in its report, for the picture of the page: "rooms" and
  * "furniture" (outlines), "walls" (x, y, x, y, plane), "openings" (x, y, x, y), "unseen"
  * (x, y, side of the square; and its role), all in metres of the plan; "axes", the axes of
  * the plan in the map frame; a JSON object.

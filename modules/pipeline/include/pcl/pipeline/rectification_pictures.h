@@ -12,7 +12,7 @@
 
 namespace pcl {
 
-/** \brief What a rectification of poses did, as pictures. \ingroup pipeline */
+/** \brief Plans and energies of a rectification, as pictures. \ingroup pipeline */
 struct RectificationPictures {
   RgbImage plan_before; ///< the map from above, see \ref PlanPicture
   RgbImage plan_after;  ///< the same part of it

@@ -27,7 +27,7 @@ struct RgbdImportSettings {
   ProgressCallback progress = {};
 };
 
-/** \brief What was written of an RGB-D recording. \ingroup pipeline */
+/** \brief Result of \ref importRgbd. \ingroup pipeline */
 struct RgbdImport {
   Trajectory trajectory; ///< T_first_camera of each observation; identity without poses
   RgbdImageSizes sizes;  ///< of the images of all frames
