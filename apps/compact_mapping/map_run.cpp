@@ -50,10 +50,11 @@ logIn(const std::string& told, const std::string& stage, const StageStore& store
 
 /** Every n-th point of a map, for display: at most a million points. */
 PCLPointCloud2
-thinned(const CloudRows& map)
+thinned(const ChainCloud& merged)
 {
   constexpr std::size_t maximum = 1000000;
-  return everyNth(map, map.size() / maximum + 1);
+  const PCLPointCloud2 few = everyNth(merged.rows, merged.rows.size() / maximum + 1);
+  return movedRows(merged.T_map_cloud, CloudRows::of(few)).copy();
 }
 
 /** Reports how much the processes had to tell each other. */
@@ -374,7 +375,7 @@ MapRun::tellPassing(const std::string& stage, const ChainState& state)
     tellMapping(report.planes, map_log_);
     warnOfSensor(options_.planes, state.planes, map_log_);
     if (state.observations)
-      savePointCloud(folder_.path("map.pcd"), thinned(state.cloud.rows));
+      savePointCloud(folder_.path("map.pcd"), thinned(state.cloud));
     requirePlanes(options_.input, state.planes, map_log_);
   }
   if (stage == "texture") {

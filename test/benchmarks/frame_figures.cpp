@@ -276,16 +276,21 @@ void
 printFrames()
 {
   printHead("scene, frame | planes | cylinders | recesses | boxes | rooms | openings | "
-            "largest error, m | rectification");
+            "largest error, m | poses apart from those as given, mm | rectification");
   for (const char* const scene : {"office", "l_corridor", "corridor"}) {
     const Recording given = recordingOf(scene, 24, 1);
+    Poses poses;
     const auto print = [&](const std::string& name, const Recording& recording) {
       const Mapped mapped = mapOf(recording);
+      if (poses.empty())
+        poses = mapped.map.trajectory.poses;
       const FloorPlan plan = makeFloorPlan(mapped.map);
       Row() << scene + (", " + name) << mapped.map.planes.size()
             << mapped.map.cylinders.size() << mapped.map.recesses.size()
             << mapped.map.boxes.size() << plan.rooms.size() << plan.openings.size()
-            << figure(mapped.error, 3) << mapped.told;
+            << figure(mapped.error, 3)
+            << figure(1000 * errorOf(mapped.map.trajectory.poses, poses), 3)
+            << mapped.told;
     };
     print("as given", given);
     for (const int quarters : {1, 2, 3})

@@ -391,6 +391,72 @@ TEST_F(OfficeViews, areTheSameForEveryNumberOfThreads)
   expectSame(maps[0], maps[1]);
 }
 
+/** Expects that everything in a map is where it is in another one, seen from another frame. */
+void
+expectMoved(const Eigen::Isometry3d& T_b_a, const CompactMap& a, const CompactMap& b)
+{
+  constexpr double tolerance = 1e-5; // metres: coordinates are single precision
+  ASSERT_EQ(a.planes.size(), b.planes.size());
+  ASSERT_EQ(a.boxes.size(), b.boxes.size());
+  ASSERT_EQ(a.recesses.size(), b.recesses.size());
+  ASSERT_EQ(a.cylinders.size(), b.cylinders.size());
+  ASSERT_EQ(a.details.vertices.size(), b.details.vertices.size());
+  const auto expectNear = [&](const Eigen::Vector3d& there,
+                              const Eigen::Vector3d& here) {
+    EXPECT_LT((there - T_b_a * here).norm(), tolerance);
+  };
+  for (std::size_t i = 0; i < a.planes.size(); ++i) {
+    const PlanePatch &here = a.planes[i], &there = b.planes[i];
+    expectNear(there.center, here.center);
+    EXPECT_LT(
+        (there.coefficients.head<3>() - T_b_a.linear() * here.coefficients.head<3>())
+            .norm(),
+        tolerance);
+    EXPECT_NEAR(there.center.dot(there.coefficients.head<3>()),
+                -there.coefficients[3],
+                tolerance);
+    ASSERT_EQ(there.polygons.size(), here.polygons.size());
+    for (std::size_t k = 0; k < here.polygons.size(); ++k)
+      for (std::size_t corner = 0; corner < here.polygons[k].outer.size(); ++corner)
+        expectNear(there.polygons[k].outer.at(corner).cast<double>(),
+                   here.polygons[k].outer[corner].cast<double>());
+  }
+  for (std::size_t i = 0; i < a.boxes.size(); ++i)
+    expectNear(b.boxes[i].center, a.boxes[i].center);
+  for (std::size_t i = 0; i < a.recesses.size(); ++i)
+    expectNear(b.recesses[i].center, a.recesses[i].center);
+  for (std::size_t i = 0; i < a.cylinders.size(); ++i)
+    expectNear(b.cylinders[i].axis_point, a.cylinders[i].axis_point);
+  for (std::size_t i = 0; i < a.details.vertices.size(); ++i)
+    expectNear(b.details.vertices[i].cast<double>(),
+               a.details.vertices[i].cast<double>());
+  for (std::size_t i = 0; i < a.trajectory.poses.size(); ++i)
+    expectNear(b.trajectory.poses[i].translation(),
+               a.trajectory.poses[i].translation());
+  EXPECT_LT((b.up - T_b_a.linear() * a.up).norm(), tolerance);
+}
+
+TEST_F(OfficeViews, areMappedEquallyInEveryFrame)
+{
+  Eigen::Isometry3d frame(Eigen::Translation3d(3, -2, 1));
+  frame.rotate(Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitZ()));
+  frame.rotate(Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitY(),
+                                                  Eigen::Vector3d::UnitZ()));
+  for (const bool adjusts : {false, true}) {
+    CompactMap maps[2];
+    for (const bool is_moved : {false, true}) {
+      CompactMapping mapping;
+      mapping.setAdjust(adjusts);
+      for (std::size_t i = 0; i < views; ++i)
+        mapping.addObservation(
+            clouds_[i], is_moved ? frame * trajectory_.poses[i] : trajectory_.poses[i]);
+      mapping.compute(maps[is_moved ? 1 : 0]);
+    }
+    ASSERT_GE(maps[0].planes.size(), 3U);
+    expectMoved(frame, maps[0], maps[1]);
+  }
+}
+
 TEST_F(OfficeViews, findTheirPoses)
 {
   CompactMapping mapping;

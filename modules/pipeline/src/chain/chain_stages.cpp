@@ -1,4 +1,5 @@
 #include "chain/chain_stages.h"
+#include "poses/level_frame.h"
 
 #include <pcl/core/impl/part_of_progress.h>
 #include <pcl/pipeline/map_quality.h>
@@ -150,6 +151,32 @@ levellingOf(const ChainState& state, const ChainSettings& settings)
   return levelling;
 }
 
+/** The up direction of the map; -y if it was neither found nor given. */
+Eigen::Vector3d
+upOf(const ChainState& state, const ChainSettings& settings)
+{
+  if (state.estimated.up)
+    return *state.estimated.up;
+  return levellingOf(state, settings)
+      .getUpDirection()
+      .value_or(-Eigen::Vector3d::UnitY());
+}
+
+/** The frame in which observations are mapped: the paper's is that of the map. */
+LevelFrame
+frameOf(const Eigen::Isometry3d& first,
+        const Eigen::Vector3d& up,
+        const ChainSettings& settings)
+{
+  return settings.mode == MappingMode::Paper ? LevelFrame() : LevelFrame(first, up);
+}
+
+LevelFrame
+frameOf(const ChainState& state, const ChainSettings& settings)
+{
+  return frameOf(firstPoseOf(*state.observations), upOf(state, settings), settings);
+}
+
 /** Do all poses have the same height, and rotate about y only, as for motions on a
  * floor? */
 bool
@@ -231,26 +258,29 @@ runRectification(ChainState& state,
   timer.finish("read");
   ConsolidatedObservations& observations = state.rectified;
   levelAll(state, settings, run.threads);
+  const Eigen::Vector3d& up = state.report.levelling->axis;
+  const std::vector<Eigen::Isometry3d>& given = observations.trajectory.poses;
+  const LevelFrame frame = frameOf(given.front(), up, settings);
   EntropyRectification<PointNormal> rectification = settings.rectification;
-  rectification.setUpDirection(state.report.levelling->axis);
+  rectification.setUpDirection(frame.up(up));
   if (state.estimated.noise)
     rectification.setOdometryNoise(state.noise);
   rectification.setNumberOfThreads(run.threads);
   rectification.setProgressCallback(partOf(run.progress, 0.4, 1));
   rectification.clear();
   for (std::size_t i = 0; i < observations.clouds.size(); ++i)
-    rectification.addPointCloud(observations.clouds[i],
-                                observations.trajectory.poses[i],
-                                observations.weights[i]);
+    rectification.addPointCloud(
+        observations.clouds[i], frame.place(given[i]), observations.weights[i]);
   rectification.compute();
   state.report.rectification = rectification.getReport();
+  state.report.rectification->up = up;
   addRemarks(state.stage, state.report.rectification->remarks);
   EstimatedPoses poses = {
       observations.places, observations.trajectory, std::nullopt, std::nullopt};
   if (state.report.levelling->found)
-    poses.up = state.report.levelling->axis;
+    poses.up = up;
   for (std::size_t i = 0; i < poses.places.size(); ++i)
-    poses.trajectory.poses[i] = rectification.getPose(i);
+    poses.trajectory.poses[i] = frame.inMap(rectification.getPose(i), given[i]);
   poses.verdict = verdictOf(*state.report.rectification);
   state.before = open.put(before_name, observations.trajectory);
   setPoses(state, open.put(poses));
@@ -259,24 +289,34 @@ runRectification(ChainState& state,
 
 void
 runAdjustment(ChainState& state,
-              const ChainSettings&,
+              const ChainSettings& settings,
               const StageRun& run,
               OpenStage& open)
 {
   StepTimer timer(state.stage);
   const ObservationSequence& sequence = *state.observations;
+  const LevelFrame frame = frameOf(state, settings);
   SequenceAdjustment adjustment;
   adjustment.setOdometryNoise(state.noise);
   adjustment.setNumberOfThreads(run.threads);
   adjustment.setProgressCallback(run.progress);
-  adjustment.setPosesBefore(state.before.poses);
+  adjustment.setPosesBefore(frame.place(state.before.poses));
   EstimatedPoses poses;
-  adjustment.compute(sequence, poses.trajectory);
+  std::vector<Eigen::Isometry3d> given;
+  Trajectory placed;
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    poses.places.push_back(i);
+    given.push_back(sequence.pose(i));
+    placed.stamps.push_back(sequence.stamp(i));
+    placed.poses.push_back(frame.place(given[i]));
+  }
+  adjustment.compute(sequence.withPoses(poses.places, std::move(placed)),
+                     poses.trajectory);
+  for (std::size_t i = 0; i < given.size(); ++i)
+    poses.trajectory.poses[i] = frame.inMap(poses.trajectory.poses[i], given[i]);
   state.report.adjustment = adjustment.getReport();
   state.report.revisits = adjustment.getRevisitReport();
   addRemarks(state.stage, state.report.adjustment->remarks);
-  for (std::size_t i = 0; i < sequence.size(); ++i)
-    poses.places.push_back(i);
   poses.up = state.estimated.up;
   poses.verdict = state.estimated.verdict;
   setPoses(state, open.put(poses));
@@ -304,26 +344,32 @@ runMerging(ChainState& state,
                         run.scratch_resident,
                         state.stage.remarks);
   merging.setRankedWork(state.work);
+  const LevelFrame frame = frameOf(state, settings);
+  merging.setFrame(frame.T_frame_map());
   MergedCloud merged;
   merging.compute(*state.observations, merged);
   state.report.merging = merging.getReport();
   addRemarks(state.stage, state.report.merging.remarks);
-  state.cloud = {std::move(merged.cloud), nullptr, std::move(merged.viewpoints)};
+  state.cloud = {std::move(merged.cloud),
+                 nullptr,
+                 std::move(merged.viewpoints),
+                 frame.T_frame_map().inverse()};
   timer.finish("read");
 }
 
-/** What is known of the poses of the map. */
+/** What is known of the poses, in the frame of the cloud. */
 PoseErrorModel
 errorModelOf(const ChainState& state, const ChainSettings& settings)
 {
+  const LevelFrame frame = frameOf(state, settings);
   PoseErrorModel model;
   for (std::size_t i = 0; i < state.observations->size(); ++i)
-    model.poses.push_back(state.observations->pose(i));
+    model.poses.push_back(frame.place(state.observations->pose(i)));
   if (state.before.poses.size() == model.poses.size())
-    model.before = state.before.poses;
+    model.before = frame.place(state.before.poses);
   model.noise = state.noise;
   if (!settings.adjust && !state.is_path_in_space)
-    model.up = state.estimated.up.value_or(-Eigen::Vector3d::UnitY());
+    model.up = frame.up(upOf(state, settings));
   return model;
 }
 
@@ -368,6 +414,10 @@ runPlanes(ChainState& state,
   addRemarks(state.stage, state.report.planes.remarks);
   state.sightings = collectSightings(
       state.cloud.rows, state.planes.labels, state.planes.planes, knownSensors(state));
+  if (state.observations) {
+    moveTo(state.cloud.T_map_cloud, state.planes);
+    moveTo(state.cloud.T_map_cloud, state.sightings);
+  }
   timer.finish("planes");
 }
 

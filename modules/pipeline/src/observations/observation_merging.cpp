@@ -1,3 +1,5 @@
+#include "poses/level_frame.h"
+
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/large_memory.h>
@@ -79,9 +81,9 @@ ObservationMerging::add(const ObservationSequence& sequence,
           refineQuantisedDepth(seen.file, sensor_, threads_);
       merged.refined += refined != seen.file ? 1 : 0;
       merged.are_colored = merged.are_colored && acmap::findColor(seen.file->cloud);
-      rows.append(
-          *refined, seen.T_map_camera, static_cast<std::int32_t>(merged.poses.size()));
-      merged.poses.push_back(seen.T_map_camera);
+      const Eigen::Isometry3d pose = acmap::roundedPose(T_cloud_map_ * seen.T_map_camera);
+      rows.append(*refined, pose, static_cast<std::int32_t>(merged.poses.size()));
+      merged.poses.push_back(pose);
     }
     catch (const InputFileException& error) {
       if (!skip_broken_)
@@ -136,7 +138,7 @@ ObservationMerging::merge(const ObservationSequence& sequence, MergedCloud& merg
   acmap::MergedRows all;
   std::size_t own = 0;
   if (ranked_work_) {
-    ranked_work_->startMerging(sensor_, skip_broken_);
+    ranked_work_->startMerging(sensor_, T_cloud_map_, skip_broken_);
     add(sequence, ranked_work_->own(), rows, all);
     own = rows.size();
     addOfRanks(rows, all);

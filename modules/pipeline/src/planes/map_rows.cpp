@@ -184,6 +184,25 @@ putMapRows(const CloudRows& cloud,
   parcel.putAll(rows.data(), rows.size());
 }
 
+CloudRows
+movedRows(const Eigen::Isometry3d& T_to_from, const CloudRows& rows)
+{
+  const PCLPointField* const x = findField(rows.layout(), "x");
+  const PCLPointField* const normal_x = findField(rows.layout(), "normal_x");
+  const PointView points = x ? requirePoints(rows) : PointView();
+  const PointView normals = normalsOf(rows);
+  const auto write = [](const Eigen::Vector3d& value, std::uint8_t* to) {
+    const Eigen::Vector3f rounded = value.cast<float>();
+    std::memcpy(to, rounded.data(), 3 * sizeof(float));
+  };
+  return rowsWith(rows, {}, [&](std::uint8_t* row, std::size_t i) {
+    if (x)
+      write(T_to_from * points[i].cast<double>(), row + x->offset);
+    if (normals.size() > 0)
+      write(T_to_from.linear() * normals[i].cast<double>(), row + normal_x->offset);
+  });
+}
+
 PCLPointCloud2
 everyNth(const CloudRows& cloud, std::size_t n)
 {

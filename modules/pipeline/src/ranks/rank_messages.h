@@ -1,5 +1,9 @@
 #pragma once
 
+#include <pcl/core/impl/byte_parcel.h>
+
+#include <Eigen/Geometry>
+
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -28,6 +32,14 @@ inline std::pair<std::size_t, std::size_t>
 shareOf(std::size_t rank, std::size_t ranks, std::size_t all)
 {
   return {rank * all / ranks, (rank + 1) * all / ranks};
+}
+
+inline Eigen::Isometry3d
+takePose(ByteParcel& parcel)
+{
+  Eigen::Isometry3d pose;
+  parcel.takeAll(pose.matrix().data(), 16);
+  return pose;
 }
 
 } // namespace pcl::acmap

@@ -39,14 +39,6 @@ throwFault(RankAnswer answer, ByteParcel& parcel)
   }
 }
 
-Eigen::Isometry3d
-takePose(ByteParcel& parcel)
-{
-  Eigen::Isometry3d pose;
-  parcel.takeAll(pose.matrix().data(), 16);
-  return pose;
-}
-
 } // namespace
 
 RankedWork::RankedWork(std::shared_ptr<Ranks> ranks,
@@ -145,11 +137,14 @@ RankedWork::next()
 }
 
 void
-RankedWork::startMerging(DepthSensor sensor, bool skip_broken)
+RankedWork::startMerging(DepthSensor sensor,
+                         const Eigen::Isometry3d& T_cloud_map,
+                         bool skip_broken)
 {
   for (std::size_t rank = 1; rank < ranks_->size(); ++rank) {
     ByteParcel parcel = parcelOf(RankRequest::Merge);
     parcel.put(sensor);
+    parcel.putAll(T_cloud_map.matrix().data(), 16);
     parcel.put(skip_broken);
     request(rank, std::move(parcel));
   }

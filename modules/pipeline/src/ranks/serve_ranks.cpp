@@ -145,6 +145,7 @@ private:
   {
     ObservationMerging merging;
     merging.setDepthSensor(parcel.take<DepthSensor>());
+    merging.setFrame(takePose(parcel));
     skip_broken_ = parcel.take<bool>();
     merging.setSkipBroken(skip_broken_);
     merging.setNumberOfThreads(threads_);

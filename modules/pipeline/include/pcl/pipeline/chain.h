@@ -60,11 +60,13 @@ struct ChainSettings {
   std::size_t max_detail_bytes = default_detail_bytes; ///< 0: a map without details
 };
 
-/** \brief One cloud in the frame of the map. */
+/** \brief One cloud. */
 struct ChainCloud {
   CloudRows rows;                             ///< metres
   std::shared_ptr<const PointCloudFile> file; ///< sensor, up direction and shift
   std::vector<Eigen::Vector3f> viewpoints;    ///< of its field `view`, metres
+  /** \brief Where its frame is in the map; one of merged observations has one of its own. */
+  Eigen::Isometry3d T_map_cloud = Eigen::Isometry3d::Identity();
 };
 
 /** \brief What the stages of a chain hand on. \ingroup pipeline */

@@ -95,6 +95,11 @@ putMapRows(const CloudRows& cloud,
            std::size_t end,
            ByteParcel& parcel);
 
+/** \brief The same rows in another frame, with their normals, if they have any; rows of
+ * normals alone are turned. */
+ACMAP_EXPORT CloudRows
+movedRows(const Eigen::Isometry3d& T_to_from, const CloudRows& rows);
+
 /** \brief The first row and every n-th after it, as an unorganized cloud. */
 ACMAP_EXPORT PCLPointCloud2
 everyNth(const CloudRows& cloud, std::size_t n);

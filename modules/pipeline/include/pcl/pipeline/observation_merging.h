@@ -24,8 +24,9 @@ class MapRows;
 
 /** \brief Observations that were merged, in their order. */
 struct MergedRows {
-  CloudRows cloud;                      ///< as MergedCloud::cloud
-  std::vector<Eigen::Isometry3d> poses; ///< of those that could be read
+  CloudRows cloud; ///< as MergedCloud::cloud
+  std::vector<Eigen::Isometry3d>
+      poses; ///< in the frame of the cloud, of those that could be read
   std::vector<std::string> remarks;
   std::vector<std::string> of_poses; ///< remarks of all observations about their poses
   std::size_t refined = 0;           ///< number of those with quantised depth
@@ -34,7 +35,7 @@ struct MergedRows {
 
 } // namespace acmap
 
-/** \brief All points of a sequence in the frame of the map. \ingroup pipeline */
+/** \brief All points of a sequence in one frame. \ingroup pipeline */
 struct MergedCloud {
   /** \brief Finite points with fields `x y z rgb view`; `view` is the position of the
    * observation among the viewpoints. Metres. */
@@ -88,6 +89,14 @@ public:
   void
   setMaximumPoints(std::size_t points);
 
+  /** \brief Sets the frame of the merged cloud (default: that of the map).
+   * \param[in] T_cloud_map metres */
+  void
+  setFrame(const Eigen::Isometry3d& T_cloud_map)
+  {
+    T_cloud_map_ = T_cloud_map;
+  }
+
   /** \brief Leaves out observations that cannot be read, with a remark (default
    * false). */
   void
@@ -138,6 +147,7 @@ private:
   addOfRanks(acmap::MapRows& rows, acmap::MergedRows& merged) const;
 
   DepthSensor sensor_ = DepthSensor::Automatic;
+  Eigen::Isometry3d T_cloud_map_ = Eigen::Isometry3d::Identity();
   std::size_t maximum_points_ = 50000000;
   bool skip_broken_ = false;
   CostCallback cost_callback_;

@@ -69,7 +69,9 @@ public:
   /** \brief Lets the other ranks merge their observations, as \ref ObservationMerging
    * does. */
   void
-  startMerging(DepthSensor sensor, bool skip_broken);
+  startMerging(DepthSensor sensor,
+               const Eigen::Isometry3d& T_cloud_map,
+               bool skip_broken);
 
   /** \brief Waits for the next rank that has merged its observations.
    * \return what it has merged, without the points; nothing after the last one
