@@ -166,6 +166,24 @@ TEST(FloorPlan, ShowsWallsOpeningsAndRooms)
 }
 
 /** More may be seen of a table, or of all worktops of a kitchen, than of the floor. */
+TEST(FloorPlan, WallsEncloseTheFloorThatWasNotSeen)
+{
+  CompactMap map = makeRooms();
+  map.planes.erase(map.planes.begin() + 6, map.planes.end()); // the partition
+  const auto strip = [](float x0, float x1) {
+    return Loop{{x0, 1, 0.5F}, {x1, 1, 0.5F}, {x1, 1, 2.5F}, {x0, 1, 2.5F}};
+  };
+  PlanePatch& floor = map.planes[0];
+  floor.polygons = {{strip(0.5F, 1.5F), {}}, {strip(4.5F, 5.5F), {}}};
+  floor.area = 4;
+  const FloorPlan plan = makeFloorPlan(map);
+  ASSERT_EQ(plan.rooms.size(), 1U);
+  EXPECT_NEAR(plan.rooms[0].area, 6.1 * 3, 0.5);
+  EXPECT_NEAR(plan.rooms[0].seen_area, 4, 0.1);
+  map.planes.erase(map.planes.begin() + 3); // a wall: nothing encloses them any more
+  EXPECT_EQ(makeFloorPlan(map).rooms.size(), 2U);
+}
+
 TEST(FloorPlan, FloorIsBelowLargerTables)
 {
   CompactMap map = makeRooms();

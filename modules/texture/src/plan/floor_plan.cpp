@@ -840,7 +840,15 @@ public:
       for (const auto& loop : polygon)
         for (const Vector2d& place : loop)
           box.extend(place);
-    if (box.isEmpty() || !(box.sizes().minCoeff() > 0))
+    if (box.isEmpty())
+      return;
+    // walls may enclose more than the floor that was seen, though not far from it
+    const Vector2d reach = Vector2d::Constant(box.sizes().maxCoeff());
+    const Eigen::AlignedBox2d near(box.min() - reach, box.max() + reach);
+    for (const PlanWall& wall : plan.walls)
+      if (near.contains(wall.from) && near.contains(wall.to))
+        box.extend(wall.from).extend(wall.to);
+    if (!(box.sizes().minCoeff() > 0))
       return;
     cell_ = std::max(0.02, box.sizes().maxCoeff() / 4000);
     origin_ =
