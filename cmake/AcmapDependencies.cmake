@@ -2,18 +2,6 @@
 include(AcmapFindPCL)
 
 acmap_find_pcl(common search surface io features)
-# PCL 1.14 asks for OpenMP in some of its parts, which acmap, with TBB, does not use: what is
-# compiled with it cannot share precompiled headers with what is not.
-foreach(part IN ITEMS common kdtree octree search sample_consensus filters geometry io features
-                      segmentation surface registration)
-  if(TARGET pcl_${part})
-    get_target_property(libraries pcl_${part} INTERFACE_LINK_LIBRARIES)
-    if("OpenMP::OpenMP_CXX" IN_LIST libraries)
-      list(REMOVE_ITEM libraries OpenMP::OpenMP_CXX)
-      set_target_properties(pcl_${part} PROPERTIES INTERFACE_LINK_LIBRARIES "${libraries}")
-    endif()
-  endif()
-endforeach()
 find_package(Eigen3 3.3 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -64,10 +64,11 @@ constexpr std::string_view undetermined = "undetermined";
 /** \brief Lines of the stages that are told without --verbose, too: what was found out or assumed of
  * the input, and what became of the poses. */
 constexpr std::string_view always_told[] = {
-    "read",         "columns",  "coordinates", "layout", "intrinsics", "depth scale",
-    "median depth", "left out", "matched",     "up",     "sensor",     "noise",
-    "posed",        "joined",   "rectified",   "kept",   "refused",    "verdict",
-    "error left",   "recorded", "finished",    "ranks",  "tilted"};
+    "read",        "columns",      "coordinates", "layout",     "intrinsics",
+    "depth scale", "median depth", "left out",    "matched",    "up",
+    "sensor",      "noise",        "posed",       "joined",     "rectified",
+    "kept",        "refused",      "verdict",     "error left", "moved by planes",
+    "recorded",    "finished",     "ranks",       "tilted"};
 
 /** \brief Is a line of a step's summary told? The folders belong to the chain, and there is one
  * line for the seconds of all steps. */

@@ -52,7 +52,7 @@ TEST(MapTopology, tellsWhatPolygonsHaveInCommonOnce)
   ASSERT_EQ(topology.faces.size(), 2U);
   EXPECT_EQ(topology.faces[1].outer, (std::vector<std::int32_t>{0, 4, 5, 1}));
   EXPECT_EQ(topology.faces[1].holes[0], (std::vector<std::int32_t>{6, 7, 8}));
-  const MapEdge& crease = edgeOf(topology, {0, 1});
+  const MapEdge crease = edgeOf(topology, {0, 1});
   EXPECT_EQ(crease.kind, EdgeKind::Crease);
   EXPECT_EQ(crease.planes, (Planes{0, 1}));
   EXPECT_EQ(edgeOf(topology, {0, 3}).kind, EdgeKind::Rim);

@@ -151,7 +151,7 @@ TEST(ProposedSurfaces, wallBehindABoxBeforeIt)
   scene.geometry.addBox("box", {0.6, 0.4, 2}, {1.4, floor_y, 2.4}, {});
   const SeenRoom room = seeSharply(scene);
   const RoomPlanes found = findPlanes(room);
-  const PlanePatch& wall = patchNamed(room, found, "wall");
+  const PlanePatch wall = patchNamed(room, found, "wall");
   ASSERT_EQ(wall.proposed.size(), 1U);
   EXPECT_TRUE(contains(wall, wall.proposed, {1, floor_y - 0.03, wall_z}));
   EXPECT_TRUE(contains(wall, wall.proposed, {1, 0.8, wall_z}));

@@ -1142,8 +1142,22 @@ private:
     std::int32_t distance = 0; ///< from the border of the part, cells
   };
 
-  /** \brief For each part a cell with the maximum distance, along rows and columns, from
-   * the cells that are not in it. */
+  /** \brief The one of some cells that is nearest to their mean. */
+  std::size_t
+  middleOf(const std::vector<std::size_t>& cells) const
+  {
+    Vector2d mean = Vector2d::Zero();
+    for (const std::size_t cell : cells)
+      mean += placeOf(cell) / static_cast<double>(cells.size());
+    return *std::min_element(
+        cells.begin(), cells.end(), [&](std::size_t one, std::size_t other) {
+          return (placeOf(one) - mean).squaredNorm() <
+                 (placeOf(other) - mean).squaredNorm();
+        });
+  }
+
+  /** \brief For each part the middle one of the cells with the maximum distance, along rows and
+   * columns, from the cells that are not in it. */
   std::vector<Center>
   findCenters(std::int32_t parts) const
   {
@@ -1158,10 +1172,15 @@ private:
         }
       });
     std::vector<Center> centers(static_cast<std::size_t>(parts));
+    std::vector<std::vector<std::size_t>> farthest(centers.size());
     for (std::int32_t distance = 2; !shell.empty(); ++distance) {
       next_shell.clear();
       for (const std::size_t index : shell) {
-        centers[static_cast<std::size_t>(parts_[index])] = {index, distance - 1};
+        const auto part = static_cast<std::size_t>(parts_[index]);
+        if (centers[part].distance < distance - 1)
+          farthest[part].clear();
+        centers[part].distance = distance - 1;
+        farthest[part].push_back(index);
         forEachBeside(index, [&](std::size_t next) {
           if (parts_[next] == parts_[index] && distances[next] == 0) {
             distances[next] = distance;
@@ -1171,6 +1190,8 @@ private:
       }
       shell.swap(next_shell);
     }
+    for (std::size_t part = 0; part < centers.size(); ++part)
+      centers[part].cell = middleOf(farthest[part]);
     return centers;
   }
 

@@ -250,7 +250,7 @@ private:
     if (!(std::abs(cylinder.axis_direction.dot(plan_.up)) > level_cosine) ||
         !low.allFinite() || !high.allFinite() || !(cylinder.radius > 0))
       return;
-    const auto [bottom, top] = std::minmax(plan_.heightOf(low), plan_.heightOf(high));
+    const auto [bottom, top] = std::minmax({plan_.heightOf(low), plan_.heightOf(high)});
     const double cut = plan_.cut - plan_.floor;
     const Vector2d middle = plan_.placeOf(cylinder.axis_u);
     if (bottom <= cut && top >= cut) {

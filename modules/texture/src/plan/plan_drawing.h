@@ -111,7 +111,9 @@ struct PlanDrawing {
   void
   add(PlanLayer layer, Shape shape)
   {
-    items.push_back({layer, std::move(shape)});
+    PlanItem& item = items.emplace_back();
+    item.layer = layer;
+    item.shape = std::move(shape);
   }
 
   void
