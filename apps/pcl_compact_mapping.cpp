@@ -2,7 +2,6 @@
 #include "compact_mapping/live_map.h"
 #include "compact_mapping/map_run.h"
 #include "compact_mapping/map_stage.h"
-#include "compact_mapping/open_observations.h"
 #include "compact_mapping/run_ranks.h"
 #include "drawn_apart.h"
 #include "output_target.h"
@@ -61,11 +60,9 @@ void
 run(Tool& tool, const ChainOptions& options)
 {
   checkPlaces(options);
-  const MapInput input = openObservations(options.input,
-                                          options.bag,
-                                          options.texture.skip_broken,
-                                          options.rgbd,
-                                          tool.reader());
+  const pcl::MapInput input = pcl::openMapInput(
+      options.input,
+      {tool.reader(), options.bag, options.rgbd, options.texture.skip_broken});
   requireSense(tool, options, input.start);
   const PicturesApart pictures(options.has_pictures, tool.log());
   tool.requireReportWritable(inputsOf(options));
@@ -93,7 +90,7 @@ run(Tool& tool, const ChainOptions& options)
     figures = compareMap(options, made.state(), told, *truth);
   tellPoseReading(options.poses, made.state().report.pose_convention, tool.log());
   if (const auto& path = made.state().report.path;
-      path && input.start == StartingPoint::PosedObservations)
+      path && input.start == pcl::StartingPoint::PosedObservations)
     tellPath(*path, tool.log());
   tellChain(options, input.start, made.stages(), figures, tool.log());
   pcl::MapReport(jsonText(tool.fullReport()))

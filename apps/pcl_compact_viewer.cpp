@@ -1,5 +1,4 @@
 #include "command_line.h"
-#include "memory.h"
 #include "output_target.h"
 #include "reading_options.h"
 #include "stage_reports.h"
@@ -7,21 +6,18 @@
 
 #include <pcl/conversions.h>
 #include <pcl/core/cloud_assessment.h>
-#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/map_file.h>
 #include <pcl/core/point_cloud_file.h>
-#include <pcl/core/point_types.h>
+#include <pcl/core/process_memory.h>
 #include <pcl/pipeline/cloud_labels.h>
-#include <pcl/pipeline/observation_sequence.h>
-#include <pcl/texture/compact_map_folder.h>
+#include <pcl/pipeline/map_folder.h>
 #include <pcl/visualization/layered_scene.h>
 #include <pcl/visualization/scene_file.h>
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -183,10 +179,11 @@ LayeredView
 viewOf(const ViewerOptions& options)
 {
   LayeredView view = options.view;
-  char end = 0;
-  if (std::sscanf(options.size.c_str(), "%dx%d%c", &view.width, &view.height, &end) !=
-      2)
+  const auto size = crossedNumbers(options.size);
+  if (!size)
     throw UsageError("--size: " + options.size + " is not of the form WxH");
+  view.width = (*size)[0];
+  view.height = (*size)[1];
   if (!options.place.empty())
     view.place = place_names.at(options.place);
   for (const std::string& layer : options.layers)
@@ -257,23 +254,6 @@ loadFile(const std::string& path, const PointCloudReader& reader)
   return input;
 }
 
-void
-loadCloudOf(const fs::path& folder, ViewerInput& input)
-{
-  PointCloudFile cloud = loadPointCloud((folder / "map.pcd").string());
-  note(cloud, input.remarks);
-  input.scene.points = std::move(cloud.cloud);
-}
-
-void
-loadMeshOf(const fs::path& folder, ViewerInput& input)
-{
-  SceneFile mesh = loadScene((folder / "mesh.ply").string());
-  note(mesh.points, input.remarks);
-  input.scene.vertices = std::move(mesh.points.cloud);
-  input.scene.mesh = std::move(mesh.mesh);
-}
-
 /** \brief Number of points of the cloud, or of the mesh if there is no cloud. */
 std::size_t
 pointsIn(const LayeredScene& scene)
@@ -282,40 +262,6 @@ pointsIn(const LayeredScene& scene)
     return std::size_t{cloud.width} * cloud.height;
   };
   return size(scene.points) != 0 ? size(scene.points) : size(scene.vertices);
-}
-
-/** \brief Number of points whose view has no pose. */
-std::size_t
-pointsOfNoPose(const LayeredScene& scene)
-{
-  const PCLPointCloud2& cloud = scene.points;
-  const PCLPointField* const field = findField(cloud, "view", PCLPointField::INT32);
-  const std::size_t poses = scene.map.trajectory.poses.size();
-  std::size_t count = 0;
-  for (std::size_t i = 0; field && i < pointsIn(scene); ++i) {
-    std::int32_t view = 0;
-    std::memcpy(&view, &cloud.data[i * cloud.point_step + field->offset], sizeof view);
-    count += view < 0 || static_cast<std::size_t>(view) >= poses;
-  }
-  return count;
-}
-
-/** \brief Loads the poses before rectification, if there are as many as after it. */
-void
-loadPosesBefore(const fs::path& folder, ViewerInput& input)
-{
-  LayeredScene& scene = input.scene;
-  scene.trajectory_before = loadTrajectory((folder / "trajectory_before.txt").string());
-  const std::size_t before = scene.trajectory_before.poses.size();
-  const std::size_t after = scene.map.trajectory.poses.size();
-  if (before != after)
-    input.remarks.push_back("trajectory_before.txt has " + std::to_string(before) +
-                            " poses, the map " + std::to_string(after) +
-                            ": what was before rectification cannot be shown");
-  else if (const std::size_t strangers = pointsOfNoPose(scene); strangers != 0)
-    input.remarks.push_back(std::to_string(strangers) +
-                            " points were seen from no pose of the map, and are not "
-                            "shown before rectification");
 }
 
 /** Is a folder a sequence of observations? */
@@ -331,35 +277,19 @@ hasClouds(const fs::path& folder)
 
 /** \brief Some of the points of all observations of a folder, under their poses. */
 ViewerInput
-loadObservations(const fs::path& folder, const PointCloudReader& reader)
+loadObservations(const std::string& folder, const PointCloudReader& reader)
 {
   constexpr std::size_t most_points = 2000000; // of all observations
-  const ObservationSequence sequence(folder.string(), reader.getScale());
-  const std::size_t share = most_points / sequence.size() + 1;
-  PointCloud<PointXYZRGBNormalView> points;
+  SequenceSample sample =
+      sampleSequence(ObservationSequence(folder, reader.getScale()),
+                     most_points,
+                     [](double, const std::string&) { return !interrupted(); });
+  if (sample.points.empty())
+    throw NothingFound(folder + ": nothing to show, no point is finite");
   ViewerInput input;
-  Trajectory& trajectory = input.scene.map.trajectory;
-  for (std::size_t i = 0; i < sequence.size(); ++i) {
-    stopIfInterrupted();
-    const PosedObservation observation = sequence.load(i);
-    PointCloud<PointXYZRGB> seen;
-    fromPCLPointCloud2(observation.file->cloud, seen);
-    const Eigen::Isometry3f pose = observation.T_map_camera.cast<float>();
-    for (std::size_t k = 0; k < seen.size(); k += seen.size() / share + 1) {
-      PointXYZRGBNormalView point;
-      point.getVector3fMap() = pose * seen[k].getVector3fMap();
-      point.rgba = seen[k].rgba;
-      point.view = static_cast<std::int32_t>(i);
-      if (point.getVector3fMap().allFinite())
-        points.push_back(point);
-    }
-    trajectory.stamps.push_back(sequence.stamp(i));
-    trajectory.poses.push_back(observation.T_map_camera);
-  }
-  if (points.empty())
-    throw NothingFound(folder.string() + ": nothing to show, no point is finite");
+  input.scene.map.trajectory = std::move(sample.trajectory);
   const auto merged = std::make_shared<PointCloudFile>();
-  toPCLPointCloud2(points, merged->cloud);
+  toPCLPointCloud2(sample.points, merged->cloud);
   if (const UpEvidence up = assess(merged, reader).up; up.isKnown())
     takeUp(up, input); // else the cameras tell it
   input.scene.points = std::move(merged->cloud);
@@ -367,28 +297,16 @@ loadObservations(const fs::path& folder, const PointCloudReader& reader)
 }
 
 ViewerInput
-loadFolder(const fs::path& folder)
+loadFolder(const std::string& folder)
 {
-  const bool has_map = isThere(folder / "map.json");
-  const bool has_cloud = isThere(folder / "map.pcd");
-  const bool has_poses = isThere(folder / "trajectory.txt");
-  if (!has_map && !(has_cloud && has_poses))
-    throw InputFileException(folder.string() +
-                             ": is a folder without a map.json, without both map.pcd "
-                             "and trajectory.txt, and without observations (.pcd); of "
-                             "other folders only single files can be shown");
+  MapFolder loaded = loadMapFolder(folder);
   ViewerInput input;
-  if (has_map)
-    input.scene.map = loadCompactMap(folder.string());
-  if (isThere(folder / "mesh.ply"))
-    loadMeshOf(folder, input);
-  if (has_cloud)
-    loadCloudOf(folder, input);
-  Trajectory& trajectory = input.scene.map.trajectory;
-  if (trajectory.poses.empty() && has_poses)
-    trajectory = loadTrajectory((folder / "trajectory.txt").string());
-  if (isThere(folder / "trajectory_before.txt"))
-    loadPosesBefore(folder, input);
+  input.scene = {std::move(loaded.cloud),
+                 std::move(loaded.vertices),
+                 std::move(loaded.mesh),
+                 std::move(loaded.map),
+                 std::move(loaded.trajectory_before)};
+  input.remarks = std::move(loaded.remarks);
   return input;
 }
 
@@ -410,7 +328,7 @@ loadViewerInput(const std::string& path, const PointCloudReader& reader)
   const fs::path place = path;
   if (is_folder && !isThere(place / "map.json") && !isThere(place / "map.pcd") &&
       hasClouds(place))
-    return loadObservations(place, reader);
+    return loadObservations(path, reader);
   if (reader.getScale() != 1)
     throw UsageError("--scale is for clouds and meshes; maps are in metres");
   ViewerInput input;

@@ -1,5 +1,4 @@
 #include "length_check.h"
-#include "memory.h"
 #include "output_target.h"
 #include "reading_options.h"
 #include "setter_option.h"
@@ -9,6 +8,7 @@
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/core/process_memory.h>
 #include <pcl/core/scratch_memory.h>
 #include <pcl/pipeline/cloud_meshing.h>
 #include <pcl/pipeline/observation_files.h>
@@ -192,7 +192,7 @@ meshOf(const Options& options,
   pcl::CloudMeshing meshing = options.meshing;
   meshing.threads = controls.threads;
   meshing.progress = controls.progress;
-  meshing.cost = memoryCheck();
+  meshing.cost = pcl::memoryCheck();
   const double voxel_size = meshing.consolidation.getVoxelSize();
   if (meshing.consolidates)
     meshing.viewpoints = viewpointsOfFile(

@@ -6,6 +6,7 @@
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/map_file.h>
 #include <pcl/core/mesh_file.h>
+#include <pcl/core/output_group.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/core/point_cloud_writer.h>
 #include <pcl/pipeline/cloud_labels.h>
@@ -13,8 +14,6 @@
 #include <pcl/pipeline/observation_files.h>
 
 #include <CLI/CLI.hpp>
-
-#include <optional>
 
 namespace {
 

@@ -14,8 +14,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -66,63 +64,6 @@ addOptions(Tool& tool, ImportOptions& options)
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 31).description(""));
   addStampGap(app, options);
-}
-
-void
-warnOfCenter(const std::string& name,
-             const Pinhole& camera,
-             const ImageSize& size,
-             const std::string& option,
-             StageLog& log)
-{
-  if (std::abs(2 * camera.cx - size.width) > 0.5 * size.width ||
-      std::abs(2 * camera.cy - size.height) > 0.5 * size.height)
-    log.warn("the " + name + "'s principal point " + shortNumber(camera.cx) + ", " +
-             shortNumber(camera.cy) + " is far from the middle of images of " +
-             sizeText(size) + " pixels; " + option + " names another");
-}
-
-void
-warnOfCameras(const ImportOptions& options,
-              const RgbdSequence& sequence,
-              const RgbdCameras& cameras,
-              const RgbdImport& import,
-              StageLog& log)
-{
-  log.warn(rgbdRemarks(options, sequence, cameras));
-  warnOfCenter("camera", cameras.depth, import.sizes.depth, "--intrinsics", log);
-  if (cameras.color)
-    warnOfCenter("colour camera",
-                 cameras.color->pinhole,
-                 import.sizes.color,
-                 "--color-camera",
-                 log);
-}
-
-/** Warns of poses that exceed buildings, since their unit is then probably wrong. */
-void
-warnOfLengths(const RgbdImport& import, StageLog& log)
-{
-  constexpr double farthest_pose = 1000;
-  double pose = 0;
-  for (const Eigen::Isometry3d& T_map_camera : import.trajectory.poses)
-    pose = std::max(pose, T_map_camera.translation().norm());
-  if (pose > farthest_pose)
-    log.warn("the camera moves " + shortNumber(pose) +
-             " m away from its first place: are the poses in metres?");
-}
-
-void
-warnOfFrames(const RgbdImport& import, StageLog& log)
-{
-  if (import.empty > 0)
-    log.warn(std::to_string(import.empty) + " observations have no point at all");
-  constexpr std::size_t max_named = 5; // the report names them all
-  for (std::size_t i = 0; i < std::min(max_named, import.broken.size()); ++i)
-    log.warn("left out: " + import.broken[i]);
-  if (import.broken.size() > max_named)
-    log.warn(std::to_string(import.broken.size() - max_named) +
-             " further frames left out, the report names them");
 }
 
 /** \brief Source of the colour camera's parameters. */
@@ -216,9 +157,12 @@ convert(const ImportOptions& options,
   stopIfInterrupted();
   folder.commit();
   timer.finish("write");
-  warnOfCameras(options, sequence, cameras, import, log);
-  warnOfLengths(import, log);
-  warnOfFrames(import, log);
+  log.warn(rgbdRemarks(options, sequence, cameras));
+  log.warn(import.remarks);
+  std::vector<std::string> left_out;
+  for (const std::string& reason : import.broken)
+    left_out.push_back("left out: " + reason);
+  log.warnOfFirst(5, left_out, "further frames left out, the report names them");
   tellResults(options, sequence, cameras, import, log);
   tellPoseReading(options.poses, poses, log);
   log.tell("folder", options.output);

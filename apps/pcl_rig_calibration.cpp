@@ -108,34 +108,6 @@ requireShots(const CalibrationOptions& options)
   }
 }
 
-// Limits for the matcher, and for a good session of boards; see doc/tutorials.
-constexpr double max_residual = 0.3; // px
-constexpr std::size_t few_boards = 10;
-constexpr double small_coverage = 0.4;
-
-void
-warnOfWeakness(const RigCalibratorReport& calibrated, StageLog& log)
-{
-  const auto residual = [&](const char* lines, double value) {
-    if (value > max_residual)
-      log.warn(std::string(lines) + " are off by " + shortNumber(value) +
-               " px; disparities need " + shortNumber(max_residual) +
-               " or less: is the board flat, and were the shots sharp and taken at "
-               "once?");
-  };
-  residual("rows", calibrated.row_residual);
-  residual("columns", calibrated.column_residual);
-  for (std::size_t i = 0; i < calibrated.boards.size(); ++i)
-    if (calibrated.boards[i] > 0 && calibrated.boards[i] < few_boards)
-      log.warn(std::string("the ") + nameOf(static_cast<RigCamera>(i)) +
-               " camera has only " + std::to_string(calibrated.boards[i]) +
-               " good boards; 15 are advised");
-  if (calibrated.coverage < small_coverage)
-    log.warn("the boards cover only " + shortNumber(100 * calibrated.coverage) +
-             " % of the reference's image: lens and focal length are guessed there");
-  log.warn(calibrated.remarks);
-}
-
 /** \brief Adds the board images with their errors, or the reasons why they were left
  * out, to the report, and reports those that were left out. */
 void
@@ -182,7 +154,7 @@ tellCalibration(const RigCalibratorReport& calibrated,
   log.tell("baselines",
            shortNumber(rig.baseline_horizontal) + " m, " +
                shortNumber(rig.baseline_vertical) + " m");
-  warnOfWeakness(calibrated, log);
+  log.warn(calibrated.remarks);
 }
 
 std::vector<std::string>

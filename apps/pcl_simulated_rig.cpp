@@ -1,4 +1,3 @@
-#include "memory.h"
 #include "output_target.h"
 #include "setter_option.h"
 #include "simulated_rig/session.h"
@@ -6,22 +5,20 @@
 
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/point_cloud_writer.h>
+#include <pcl/core/process_memory.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_writing.h>
 #include <pcl/simulation/merged_rows.h>
 #include <pcl/simulation/repeated_scene.h>
-#include <pcl/simulation/scene_file.h>
 #include <pcl/simulation/simulated_light.h>
 #include <pcl/simulation/simulated_observation.h>
 #include <pcl/simulation/standard_scenes.h>
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <regex>
 #include <string>
-#include <utility>
 
 namespace {
 
@@ -48,16 +45,6 @@ struct Counts {
   std::size_t sparse = 0; ///< observations with fewer points than requested
   std::string first_sparse = {};
 };
-
-/** \brief Names of the scenes, as "a, b, c". */
-std::string
-listOfScenes()
-{
-  std::string list;
-  for (const std::string& name : pcl::standardSceneNames())
-    list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
 
 void
 addLightOptions(CLI::App& app, pcl::SimulatedLight& light)
@@ -226,16 +213,8 @@ requireSense(Tool& tool, const SimulationOptions& options)
 FilmedScene
 openScene(SimulationOptions& options, StageLog& log)
 {
-  const auto& standard = pcl::standardSceneNames();
-  const bool is_standard =
-      std::find(standard.begin(), standard.end(), options.scene) != standard.end();
-  std::error_code error;
-  if (!is_standard && !std::filesystem::exists(options.scene, error))
-    throw pcl::InputFileException(
-        options.scene + ": is no file, and no standard scene (" + listOfScenes() + ")");
   FilmedScene filmed;
-  filmed.scene = is_standard ? pcl::standardScene(options.scene)
-                             : pcl::loadSimulatedScene(options.scene);
+  filmed.scene = pcl::openSimulatedScene(options.scene);
   if (options.sensor == kinect_sensor)
     pcl::useKinect(filmed.scene);
   pcl::RangeSensor& sensor = filmed.scene.sensor;
@@ -270,21 +249,6 @@ checkPlaces(const Tool& tool,
     throw UsageError(options.merged + ": would be one of the session's own files");
 }
 
-/** Measures a view of one copy of the scene.
- * \param[in] scene without its copies */
-pcl::SimulatedObservation
-observeCopy(const pcl::SimulatedScene& scene, std::size_t view, std::uint64_t seed)
-{
-  const std::size_t copy = view / scene.views.size();
-  pcl::SimulatedObservation observation =
-      pcl::observe(scene, view % scene.views.size(), seed + copy);
-  const auto first = static_cast<std::uint32_t>(copy * scene.geometry.planes().size());
-  for (pcl::ObservationPixel& pixel : observation.pixels)
-    if (pixel.label > 0)
-      pixel.label += first;
-  return observation;
-}
-
 /** \param[in] scene without its copies
  * \param[in] trajectory of all views of all copies */
 Counts
@@ -300,7 +264,7 @@ writeClouds(const SimulationOptions& options,
   counts.observations = trajectory.poses.size();
   const auto observe = [&](std::size_t view) -> std::optional<ObservationToWrite> {
     const pcl::SimulatedObservation observation = withThreads(controls.threads, [&] {
-      return observeCopy(scene, view, options.settings.seed);
+      return pcl::observeRepeated(scene, view, options.settings.seed);
     });
     if (!options.merged.empty())
       merged.append(observation, view);

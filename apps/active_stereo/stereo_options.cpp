@@ -10,49 +10,6 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief Has an image the same value in all channels of each pixel? */
-bool
-isGrey(const CameraImage& image)
-{
-  const auto channels = static_cast<std::size_t>(image.channels);
-  for (std::size_t i = 0; i < image.values.size(); ++i)
-    if (image.values[i] != image.values[i - i % channels])
-      return false;
-  return true;
-}
-
-/** \brief What is known of the images of the lists, by the first of each.
- * \throws UsageError for --rig-cameras that are not two */
-RigImages
-imagesOf(const StereoOptions& options)
-{
-  const CameraImage first = loadCameraImage(options.images.reference.front());
-  const auto isOfOneSize = [&](const std::vector<std::string>& list) {
-    if (list.empty())
-      return true;
-    const CameraImage other = loadCameraImage(list.front());
-    return other.width == first.width && other.height == first.height;
-  };
-  RigImages images;
-  // Where sizes differ, the reader of the frames names the image.
-  if (isOfOneSize(options.images.horizontal) && isOfOneSize(options.images.vertical)) {
-    images.width = first.width;
-    images.height = first.height;
-  }
-  images.has_horizontal = !options.images.horizontal.empty();
-  images.has_vertical = !options.images.vertical.empty();
-  images.are_raw = options.rectify;
-  images.are_grey = isGrey(first);
-  images.baseline = options.baseline;
-  if (options.rig_cameras.empty())
-    return images;
-  images.cameras = CLI::detail::split(options.rig_cameras, ',');
-  if (images.cameras.size() != 2)
-    throw UsageError("--rig-cameras: '" + options.rig_cameras.substr(0, 40) +
-                     "' are not two names with a comma between them");
-  return images;
-}
-
 void
 addRig(CLI::App& app, CLI::Option* reference, StereoOptions& options)
 {
@@ -170,18 +127,16 @@ requireSenseOfInput(const StereoOptions& options)
 CalibratedRig
 StereoOptions::rigOfLists() const
 {
-  const RigImages of = imagesOf(*this);
-  CalibratedRig found = loadRig(rig, of);
-  const auto require = [&](RigCamera camera, bool is_listed, double& place) {
-    const std::string name = nameOf(camera);
-    if (!is_listed)
-      place = 0.0;
-    else if (place == 0.0)
-      throw UsageError("--" + name + ": " + rigPath() + " has no " + name + " camera");
-  };
-  require(RigCamera::Horizontal, of.has_horizontal, found.rig.baseline_horizontal);
-  require(RigCamera::Vertical, of.has_vertical, found.rig.baseline_vertical);
-  return found;
+  RigImages stated;
+  stated.are_raw = rectify;
+  stated.baseline = baseline;
+  if (!rig_cameras.empty()) {
+    stated.cameras = CLI::detail::split(rig_cameras, ',');
+    if (stated.cameras.size() != 2)
+      throw UsageError("--rig-cameras: '" + rig_cameras.substr(0, 40) +
+                       "' are not two names with a comma between them");
+  }
+  return loadRigOfImages(rig, images, std::move(stated));
 }
 
 SessionSettings

@@ -2,8 +2,10 @@
 
 #include "tool.h"
 
+#include <pcl/acquisition/rig_of_images.h>
 #include <pcl/acquisition/trinocular_file_grabber.h>
 #include <pcl/core/calibration_file.h>
+#include <pcl/pipeline/session_conversion.h>
 #include <pcl/pipeline/session_source.h>
 
 namespace pcl::acmap {
@@ -54,7 +56,7 @@ struct StereoOptions {
 
   /** \brief The rig of the image lists: cameras without a list are not used.
    * \throws InputFileException naming what cannot be read
-   * \throws UsageError for a list of a camera that is not in the rig */
+   * \throws BadArgumentException for a list of a camera that is not in the rig */
   CalibratedRig
   rigOfLists() const;
 
@@ -101,6 +103,22 @@ withDepths(const Make& make)
     throw UsageError("--max-depth: " + failureOf(std::current_exception()).line);
   }
 }
+
+/** \brief Tells why there is no point. */
+std::string
+noPlaceText(const ConvertedSession& converted);
+
+/** \brief Writes the lines of the summary about pixels and points. */
+void
+tellPoints(const ConvertedSession& converted, StageLog& log);
+
+/** \brief Reports the remarks on observations as warnings. */
+void
+warnOfRemarks(const ConvertedSession& converted, StageLog& log);
+
+/** \brief Reports the first findings about the frames as warnings. The report has all. */
+void
+warnOfFindings(StageLog& log, const std::vector<std::string>& findings);
 
 /** \brief Computes the observations of a session, or the one of image lists, and writes
  * them into a folder: the complete work of pcl_active_stereo.

@@ -8,8 +8,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <utility>
-
 namespace pcl::acmap {
 
 namespace {
@@ -191,14 +189,7 @@ listVideoCameras(StageLog& log)
 std::unique_ptr<GrabbedCamera>
 openVideoCameras(const CameraOptions& options, const TrinocularRig& rig)
 {
-  try {
-    return std::make_unique<VideoCameras>(options, rig);
-  }
-  catch (const CameraException& error) {
-    if (error.fault() == CameraFault::NotFound)
-      throw NothingFound(failureOf(std::current_exception()).line);
-    throw;
-  }
+  return std::make_unique<VideoCameras>(options, rig);
 }
 
 } // namespace pcl::acmap

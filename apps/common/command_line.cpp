@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <sstream>
@@ -179,10 +178,7 @@ crossedNumbers(const std::string& text)
 std::string
 oneOf(const std::vector<std::string>& names)
 {
-  std::string text = "one of ";
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : ", ") + names[i];
-  return text;
+  return "one of " + CLI::detail::join(names, ", ");
 }
 
 CLI::Validator

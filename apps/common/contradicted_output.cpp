@@ -22,18 +22,10 @@ entriesOf(const std::string& folder)
   return entries;
 }
 
-std::string
-withoutSlash(std::string folder)
-{
-  while (folder.size() > 1 && folder.back() == '/')
-    folder.pop_back();
-  return folder;
-}
-
 } // namespace
 
 ContradictedOutput::ContradictedOutput(const std::string& folder)
-: folder_(withoutSlash(folder))
+: folder_((fs::path(folder) / "").parent_path().string()) // without a slash
 , before_(entriesOf(folder))
 {
   std::error_code error;

@@ -1,10 +1,10 @@
 #include "drawn_apart.h"
 
 #include "exit_code.h"
-#include "memory.h"
 #include "tool.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/process_memory.h>
 #include <pcl/core/progress.h>
 #include <pcl/visualization/display_connection.h>
 
@@ -19,7 +19,6 @@
 #include <csignal>
 #include <cstring>
 #include <string>
-#include <utility>
 
 namespace pcl::acmap {
 namespace {

@@ -1,8 +1,7 @@
 #include "exit_code.h"
 
-#include "memory.h"
-
 #include <pcl/core/exceptions.h>
+#include <pcl/core/process_memory.h>
 
 #include <algorithm>
 #include <new>
@@ -38,11 +37,11 @@ isOneOf(const std::exception& error)
 ExitCode
 codeOf(const std::exception& error)
 {
-  if (isOneOf<InterruptedPartway>(error))
-    return exit_interrupted;
+  if (const auto* const partway = dynamic_cast<const FailedPartway*>(&error))
+    return partway->code();
   if (isOneOf<InputFileException>(error))
     return exit_input;
-  if (isOneOf<MemoryLimitException, MemoryRefused>(error))
+  if (isOneOf<MemoryLimitException>(error))
     return exit_memory;
   if (isOneOf<OutputFileException>(error))
     return exit_output;

@@ -32,17 +32,31 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/** \brief The work does not fit into the memory of this machine. */
-class MemoryRefused : public std::runtime_error {
+/** \brief The run failed, and the results finished by then are written; the message names
+ * them. */
+class FailedPartway : public std::runtime_error {
 public:
-  using std::runtime_error::runtime_error;
+  FailedPartway(ExitCode code, const std::string& line)
+  : std::runtime_error(line)
+  , code_(code)
+  {}
+
+  ExitCode
+  code() const
+  {
+    return code_;
+  }
+
+private:
+  ExitCode code_;
 };
 
-/** \brief The user interrupted the run, and the results finished by then are written;
- * the message names them. */
-class InterruptedPartway : public std::runtime_error {
+/** \brief The same after an interruption by the user. */
+class InterruptedPartway : public FailedPartway {
 public:
-  using std::runtime_error::runtime_error;
+  explicit InterruptedPartway(const std::string& line)
+  : FailedPartway(exit_interrupted, line)
+  {}
 };
 
 /** \brief Exit code and message of a run that ended with an exception. */

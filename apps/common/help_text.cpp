@@ -7,7 +7,6 @@
 #include <pcl/core/build_config.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <sstream>
 
@@ -86,10 +85,7 @@ namesOf(const char* heading, const std::set<CLI::Option*>& options)
   std::set<std::string> names;
   for (const CLI::Option* option : options)
     names.insert(option->get_name());
-  std::string text;
-  for (const std::string& name : names)
-    text += (text.empty() ? heading : ", ") + name;
-  return text.empty() ? text : text + "]";
+  return names.empty() ? std::string() : heading + CLI::detail::join(names, ", ") + "]";
 }
 
 std::string
@@ -157,22 +153,13 @@ groupsOf(const CLI::App& app)
   return groups;
 }
 
-std::string
-lowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
-  return text;
-}
-
 /** \brief Does a word of a title begin with a topic? */
 bool
 isAbout(const std::string& title, const std::string& topic)
 {
-  std::istringstream words(lowerCase(title));
+  std::istringstream words(CLI::detail::to_lower(title));
   for (std::string word; words >> word;)
-    if (word.rfind(lowerCase(topic), 0) == 0)
+    if (word.rfind(CLI::detail::to_lower(topic), 0) == 0)
       return true;
   return false;
 }
@@ -183,14 +170,12 @@ topicsOf(const CLI::App& app)
 {
   std::vector<std::string> topics;
   for (const std::string& group : groupsOf(app)) {
-    std::string word = lowerCase(group.substr(0, group.find_first_of(" ,:")));
+    std::string word =
+        CLI::detail::to_lower(group.substr(0, group.find_first_of(" ,:")));
     if (std::find(topics.begin(), topics.end(), word) == topics.end())
       topics.push_back(std::move(word));
   }
-  std::string text;
-  for (const std::string& topic : topics)
-    text += (text.empty() ? "" : ", ") + topic;
-  return text;
+  return CLI::detail::join(topics, ", ");
 }
 
 void

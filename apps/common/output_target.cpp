@@ -3,29 +3,18 @@
 #include "exit_code.h"
 
 #include <pcl/core/exceptions.h>
-#include <pcl/core/output_file.h>
 #include <pcl/pipeline/observation_files.h>
+
+#include <CLI/StringTools.hpp>
 
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 namespace pcl::acmap {
 namespace fs = std::filesystem;
 namespace {
-
-std::string
-listOf(const std::vector<std::string>& endings)
-{
-  std::string list;
-  for (const std::string& ending : endings)
-    list += (list.empty() ? "" : " or ") + ending;
-  return list;
-}
 
 /** \brief Do two names, existing or not, refer to the same file? */
 bool
@@ -50,24 +39,7 @@ requireFolder(const std::string& path)
                               folder.string());
 }
 
-std::string
-replaced(std::string text, const std::string& what, const std::string& by)
-{
-  const std::size_t at = text.find(what);
-  return at == std::string::npos ? text : text.replace(at, what.size(), by);
-}
-
 } // namespace
-
-std::string
-endingOf(const std::string& path)
-{
-  std::string ending = fs::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
-  return ending;
-}
 
 void
 requireWritable(const std::string& path,
@@ -81,8 +53,8 @@ requireWritable(const std::string& path,
   if (fs::is_directory(path, error))
     throw OutputFileException(path + ": is a folder, a file is needed");
   if (std::find(endings.begin(), endings.end(), endingOf(path)) == endings.end())
-    throw OutputFileException(path + ": unknown ending, " + listOf(endings) +
-                              " is needed");
+    throw OutputFileException(path + ": unknown ending, " +
+                              CLI::detail::join(endings, " or ") + " is needed");
   requireFolder(path);
   if (fs::exists(path, error) && !fs::is_regular_file(path, error))
     throw OutputFileException(path + ": is not a regular file");
@@ -104,45 +76,6 @@ requireNoSequence(const OutputFolder& folder, const std::vector<std::string>& mo
   requireNoneIn(folder, [&](const std::string& name) {
     return isSequenceName(name) || std::count(more.begin(), more.end(), name) > 0;
   });
-}
-
-OutputGroup::Entry::Entry(const std::string& path)
-: path(path)
-, target(followLinks(path))
-, hidden(fs::path(target).parent_path(), fs::path(target).filename().string(), path)
-, place((hidden.path() / fs::path(target).filename()).string())
-{}
-
-void
-OutputGroup::write(const std::string& path,
-                   const std::function<void(const std::string& place)>& save)
-{
-  std::error_code error;
-  if (fs::exists(path, error) && access(path.c_str(), W_OK) != 0)
-    throw OutputFileException(path + ": " + std::strerror(errno));
-  const Entry& entry = entries_.emplace_back(path);
-  try {
-    save(entry.place);
-  }
-  catch (const OutputFileException& e) {
-    throw OutputFileException(
-        replaced(replaced(e.what(), entry.place, path), entry.target, path));
-  }
-}
-
-void
-OutputGroup::commit()
-{
-  for (const Entry& entry : entries_) {
-    std::error_code error;
-    const fs::file_status old = fs::status(entry.target, error);
-    if (fs::exists(old))
-      fs::permissions(entry.place, old.permissions(), error);
-    fs::rename(entry.place, entry.target, error);
-    if (error)
-      throw OutputFileException(entry.path + ": " + error.message());
-  }
-  entries_.clear();
 }
 
 } // namespace pcl::acmap

@@ -3,10 +3,8 @@
 #include "exit_code.h"
 
 #include <pcl/core/fields_json.h>
-#include <pcl/core/output_file.h>
 
 #include <algorithm>
-#include <fstream>
 
 namespace pcl::acmap {
 
@@ -38,37 +36,6 @@ stageLogIn(const Json& json)
   log.contradiction = json.at("contradiction").get<std::string>();
   log.details = json.at("details").get_ref<const Json::object_t&>();
   return log;
-}
-
-Json
-readJson(const std::string& path)
-{
-  constexpr int deepest = 64; // copies are made recursively
-  bool is_too_deep = false;
-  std::ifstream file(path);
-  Json json = Json::parse(
-      file,
-      [&](int depth, Json::parse_event_t, const Json&) {
-        is_too_deep = is_too_deep || depth > deepest;
-        return !is_too_deep;
-      },
-      false);
-  return is_too_deep ? Json(Json::value_t::discarded) : json;
-}
-
-std::string
-jsonText(const Json& json, int indent)
-{
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
-void
-saveJson(const std::string& path, const Json& json, int indent)
-{
-  const std::string text = jsonText(json, indent) + "\n";
-  OutputFile file(path);
-  file.write(text.data(), text.size());
-  file.commit();
 }
 
 double
@@ -105,6 +72,17 @@ StageLog::warn(const std::vector<std::string>& remarks)
 {
   for (const std::string& remark : remarks)
     warn(remark);
+}
+
+void
+StageLog::warnOfFirst(std::size_t maximum,
+                      const std::vector<std::string>& remarks,
+                      const std::string& others)
+{
+  for (std::size_t i = 0; i < std::min(maximum, remarks.size()); ++i)
+    warn(remarks[i]);
+  if (remarks.size() > maximum)
+    warn(std::to_string(remarks.size() - maximum) + " " + others);
 }
 
 void

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/core/impl/json_text.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/core/point_cloud_reader.h>
 #include <pcl/core/progress.h>
@@ -38,6 +39,13 @@ struct StageLog {
   void
   warn(const std::vector<std::string>& remarks);
 
+  /** \brief Adds the first warnings of a list, and the number of the others.
+   * \param[in] others what these are: "further frames, the report names them" */
+  void
+  warnOfFirst(std::size_t maximum,
+              const std::vector<std::string>& remarks,
+              const std::string& others);
+
   /** \brief Ends the run because there is no result. The warnings so far are appended
    * to the reason.
    * \throws NothingFound always */
@@ -68,22 +76,6 @@ jsonOf(const StageLog& log);
  * \throws nlohmann::json::exception when it has another form */
 StageLog
 stageLogIn(const nlohmann::ordered_json& json);
-
-/** \brief Reads a state file of an earlier run.
- * \return a discarded value when there is no such file, it is no JSON, or nested deeper
- * than any run nests it */
-nlohmann::ordered_json
-readJson(const std::string& path);
-
-/** \brief A value as text, with replacements for invalid UTF-8.
- * \param[in] indent below 0: in one line */
-std::string
-jsonText(const nlohmann::ordered_json& json, int indent = -1);
-
-/** \brief Writes a value as text, with replacements for invalid UTF-8.
- * \throws OutputFileException when it could not be written completely */
-void
-saveJson(const std::string& path, const nlohmann::ordered_json& json, int indent);
 
 /** \brief Sum over all steps. */
 double

@@ -2,9 +2,7 @@
 
 #include "command_line.h"
 #include "input_advice.h"
-#include "memory.h"
 #include "output_target.h"
-#include "run_memory.h"
 #include "setter_option.h"
 #include "terminal_style.h"
 
@@ -13,6 +11,8 @@
 #include <pcl/core/fields_json.h>
 #include <pcl/core/file_format.h>
 #include <pcl/core/impl/arguments.h>
+#include <pcl/core/process_memory.h>
+#include <pcl/core/run_times.h>
 
 #include <CLI/CLI.hpp>
 
@@ -20,42 +20,11 @@
 
 #include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <iostream>
-#include <set>
 #include <sstream>
 
 namespace pcl::acmap {
 namespace {
-
-constexpr int interruptions[] = {SIGINT, SIGTERM, SIGHUP};
-
-volatile std::sig_atomic_t interruption_noted = 0;
-
-void
-noteInterruption(int)
-{
-  interruption_noted = 1;
-}
-
-/** \brief Number of bytes of the UTF-8 character that begins at an index; 0 if it is
- * not valid, or a control character. */
-std::size_t
-printableLength(const std::string& text, std::size_t at)
-{
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(at);
-  if (first < 0x80)
-    return first < 0x20 || first == 0x7f ? 0 : 1;
-  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4 || at + length > text.size())
-    return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if (byte(at + i) >> 6 != 2)
-      return 0;
-  const bool is_control = first == 0xc2 && byte(at + 1) < 0xa0;
-  return is_control ? 0 : length;
-}
 
 constexpr const char* exit_code_text =
     "Exit codes: 0 done, 1 failed, 2 usage, 3 input unreadable or malformed, 4 nothing "
@@ -186,7 +155,7 @@ Tool::run(int argc, const char* const* argv, const std::function<void()>& work)
     writeReport();
     bar_->stop();
     if (remembers_time_)
-      rememberRun(kind_, bar_->times());
+      rememberRunTimes(kind_, bar_->times());
     flushSummary();
     if (log_.contradiction.empty())
       return exit_done;
@@ -282,7 +251,7 @@ Tool::controls()
                                                 const std::string& step) {
     bar->tell(fraction, printable(step));
     if (draws && !bar->isDrawn())
-      bar->draw(recallRun(kind_));
+      bar->draw(recallRunTimes(kind_));
     return !interrupted();
   };
   controls.finished =
@@ -359,64 +328,6 @@ Tool::complain(const std::string& line) const
 {
   if (!is_silent_)
     bar_->print(name_ + ": " + line);
-}
-
-void
-noteInterruptions()
-{
-  struct sigaction action = {};
-  action.sa_handler = noteInterruption;
-  action.sa_flags = SA_RESETHAND | SA_RESTART;
-  for (const int signal : interruptions) {
-    struct sigaction before = {};
-    sigaction(signal, nullptr, &before);
-    // signals that the caller ignores (nohup) stay ignored
-    if (before.sa_handler != SIG_IGN)
-      sigaction(signal, &action, nullptr);
-  }
-}
-
-void
-obeyInterruptions()
-{
-  for (const int signal : interruptions) {
-    struct sigaction before = {};
-    sigaction(signal, nullptr, &before);
-    if (before.sa_handler == noteInterruption)
-      std::signal(signal, SIG_DFL);
-  }
-}
-
-bool
-interrupted()
-{
-  return interruption_noted != 0;
-}
-
-void
-forgetInterruption()
-{
-  interruption_noted = 0;
-  noteInterruptions();
-}
-
-void
-stopIfInterrupted()
-{
-  if (interrupted())
-    throw CancelledException("interrupted");
-}
-
-std::string
-printable(const std::string& text)
-{
-  std::string shown;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = printableLength(text, at);
-    shown += length > 0 ? text.substr(at, length) : "?";
-    at += std::max<std::size_t>(length, 1);
-  }
-  return shown;
 }
 
 } // namespace pcl::acmap

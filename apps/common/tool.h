@@ -5,6 +5,8 @@
 #include "help_text.h"
 #include "stage_log.h"
 
+#include <pcl/core/interruption.h>
+#include <pcl/core/printable_text.h>
 #include <pcl/core/progress_bar.h>
 #include <pcl/pipeline/depth_sensor.h>
 
@@ -177,37 +179,10 @@ private:
   std::shared_ptr<ProgressBar> bar_ = std::make_shared<ProgressBar>();
 };
 
-/** \brief From now on, the first interruption (SIGINT, SIGTERM, SIGHUP) is only
- * recorded, so that the tool can stop cleanly; the second one ends it at once. */
-void
-noteInterruptions();
-
-/** \brief From now on, an interruption ends the tool at once, as usual. */
-void
-obeyInterruptions();
-
-/** \brief Was there an interruption? */
-bool
-interrupted();
-
-/** \brief Forgets an interruption that was obeyed: the next one is only recorded again. */
-void
-forgetInterruption();
-
-/** \throws CancelledException when there was an interruption */
-void
-stopIfInterrupted();
-
 /** \brief Message for a cloud that is not organized, although `--sensor` requires it. */
 inline constexpr const char* needs_picture =
     "--sensor quantised and stereo are for one organized view in its sensor's frame, z "
     "forward, with at least 1000 points, or for what is left of one without its NaN "
     "pixels; leave --sensor out for this cloud";
-
-/** \brief Replaces control characters and invalid UTF-8 by question marks, so that a
- * text can be printed on a terminal. Messages quote files, which may contain
- * anything. */
-std::string
-printable(const std::string& text);
 
 } // namespace pcl::acmap

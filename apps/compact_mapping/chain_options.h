@@ -2,13 +2,13 @@
 
 #include "active_stereo/stereo_options.h"
 #include "entropy_rectification/rectification_options.h"
-#include "open_observations.h"
 #include "plane_extraction/extraction.h"
 #include "rgbd_import/rgbd_options.h"
 #include "texturing/texture_stage.h"
 #include "visual_egomotion/egomotion_options.h"
 
 #include <pcl/pipeline/detail_mesh.h>
+#include <pcl/pipeline/map_input.h>
 #include <pcl/pipeline/pose_convention_check.h>
 #include <pcl/pipeline/ranks.h>
 

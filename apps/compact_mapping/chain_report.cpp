@@ -4,6 +4,8 @@
 
 #include <pcl/pipeline/map_report.h>
 
+#include <CLI/StringTools.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -49,15 +51,6 @@ picturesIn(const std::string& folder, double tilt, bool is_raw)
   return pictures;
 }
 
-std::string
-inOneLine(const std::vector<std::string>& names)
-{
-  std::string line;
-  for (const std::string& name : names)
-    line += (line.empty() ? "" : ", ") + name;
-  return line;
-}
-
 /** \brief The line that is told first: the given poses are kept, for want of a proof. */
 constexpr std::string_view undetermined = "undetermined";
 
@@ -98,7 +91,8 @@ tellLines(const RunStage& stage, bool verbose, StageLog& log)
       log.tell(indent + line.first, line.second);
   }
   if (!stage.removed.empty())
-    log.tell(indent + "removed", inOneLine(stage.removed) + " of the result before");
+    log.tell(indent + "removed",
+             CLI::detail::join(stage.removed, ", ") + " of the result before");
 }
 
 void
@@ -156,8 +150,8 @@ tellChain(const ChainOptions& options,
     details["stages"].push_back(jsonOf(stage));
   }
   if (figures) {
-    details["truth"] = toJson(*figures);
-    for (const auto& [name, value] : linesOf(*figures))
+    details["truth"] = Json::parse(truthDetailsText(*figures));
+    for (const auto& [name, value] : truthSummary(*figures))
       log.tell(name, value);
   }
   details["pictures"] =

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "map_run.h"
-#include "truth_report.h"
+
+#include <pcl/pipeline/map_comparison.h>
 
 namespace pcl::acmap {
 

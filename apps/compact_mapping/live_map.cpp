@@ -1,21 +1,19 @@
 #include "live_map.h"
 
-#include "active_stereo/stereo_observation.h"
 #include "drawn_apart.h"
 #include "live_window.h"
 #include "map_run.h"
-#include "memory.h"
 #include "pose_options.h"
-#include "quality_report.h"
 
 #include <pcl/core/impl/part_of_progress.h>
+#include <pcl/core/process_memory.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_list.h>
+#include <pcl/pipeline/session_pace.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 namespace pcl::acmap {
@@ -240,34 +238,6 @@ MissingObservations::fail(const std::string& output) const
 
 namespace {
 
-/** \brief Lets the time pass that passed between the shots of a session, as a camera gives
- * them. Pauses of more than a minute are cut. */
-class Pace {
-public:
-  /** \param[in] idle is called about ten times a second while a frame is waited for */
-  void
-  waitFor(const TrinocularFrame& frame, const std::function<void()>& idle)
-  {
-    constexpr std::uint64_t longest = 60000000; // microseconds
-    constexpr std::chrono::milliseconds step(100);
-    const std::uint64_t before = stamp_.value_or(frame.stamp);
-    if (!stamp_)
-      due_ = Clock::now();
-    stamp_ = frame.stamp;
-    if (frame.stamp > before)
-      due_ += std::chrono::microseconds(std::min(frame.stamp - before, longest));
-    while (Clock::now() < due_) {
-      stopIfInterrupted();
-      idle();
-      std::this_thread::sleep_until(std::min(due_, Clock::now() + step));
-    }
-  }
-
-private:
-  std::optional<std::uint64_t> stamp_; // of the last frame, microseconds
-  Clock::time_point due_;              // when it was due
-};
-
 /** \brief Adds all observations as they come, up to an interruption or a fault. */
 void
 replay(const SessionSource& session, const RunControls& controls, LiveMap& map)
@@ -308,9 +278,10 @@ mapAsRecorded(const ChainOptions& options,
   stereo.session = options.input;
   std::optional<LiveMap> map;
   SessionSettings settings = stereo.sessionSettings(controls.threads);
-  settings.arrived = [&map, pace = Pace()](const TrinocularFrame& frame) mutable {
-    pace.waitFor(frame, [&] { map->show(); });
-  };
+  settings.arrived = SessionPace([&map] {
+    stopIfInterrupted();
+    map->show();
+  });
   const auto session = withDepths([&] {
     return openSession(std::make_shared<TrinocularFileGrabber>(options.input),
                        settings);

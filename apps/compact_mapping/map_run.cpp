@@ -2,23 +2,23 @@
 
 #include "active_stereo/stereo_options.h"
 #include "drawn_apart.h"
-#include "entropy_rectification/pose_adjustment.h"
 #include "length_check.h"
 #include "live_map.h"
 #include "live_window.h"
 #include "map_stage.h"
-#include "memory.h"
-#include "quality_report.h"
 #include "reading_options.h"
 
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/fields_json.h>
+#include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/map_shift.h>
 #include <pcl/core/point_cloud_writer.h>
+#include <pcl/core/process_memory.h>
 #include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/observation_list.h>
+#include <pcl/pipeline/observation_writing.h>
 
 #include <chrono>
 #include <filesystem>
@@ -69,6 +69,34 @@ tellRanks(const CompactMappingReport& report, StageLog& log)
            std::to_string(report.ranks) + ", " +
                shortNumber(static_cast<double>(report.rank_bytes) / megabyte) +
                " MB in " + std::to_string(report.rank_messages) + " messages");
+}
+
+/** Writes the observations of a file or an RGB-D folder as PCDs. */
+void
+importRecording(const std::string& path,
+                const ObservationSequence& sequence,
+                const std::string& folder,
+                const RunControls& controls,
+                StageLog& log)
+{
+  StepTimer timer(log.report);
+  OutputFolder output(folder);
+  std::size_t points = 0;
+  const auto count = [&](const ObservationToWrite& written) {
+    points += rowsOf(*written.cloud);
+  };
+  writeObservations(output, sequence, {controls.progress, "reading " + path, count});
+  stopIfInterrupted();
+  output.commit();
+  timer.finish("import");
+  log.warn(sequence.remarks());
+  const Eigen::Vector3d& shift = sequence.shift();
+  log.details = {{"input", path},
+                 {"observations", sequence.size()},
+                 {"points", points},
+                 {"shift", {shift.x(), shift.y(), shift.z()}}};
+  log.tell("observations", std::to_string(sequence.size()));
+  log.tell("points", std::to_string(points));
 }
 
 void
@@ -122,6 +150,17 @@ tellExtension(const SequenceAlignmentReport& report, StageLog& log)
                std::to_string(report.places) + " places that both maps have seen");
 }
 
+void
+tellQuality(const CompactMappingReport& report, StageLog& log)
+{
+  if (report.quality) {
+    log.details["quality"] = fieldsOf(*report.quality);
+    log.tell("quality", describeQuality(*report.quality));
+  }
+  if (report.next_positions)
+    log.details["next_positions"] = fieldsOf(*report.next_positions);
+}
+
 MapRun::MapRun(const ChainOptions& options,
                ValuesOfGroup values,
                const RunControls& controls,
@@ -154,19 +193,14 @@ MapRun::setInput(const MapInput& input)
 {
   const bool is_cloud = input.start == StartingPoint::Cloud;
   const bool has_poses = input.start == StartingPoint::PosedObservations;
-  if (input.recorded)
-    chain_.setInput(*input.recorded, has_poses);
+  if (input.observations)
+    chain_.setInput(*input.observations, has_poses);
   if (is_cloud)
     chain_.setInputCloud([this] { return loadCloud(); },
                          stateOfFile(options_.input) + " " +
                              jsonText(values_(input_group)));
-  else if (input.start == StartingPoint::Session || input.recorded)
+  else if (!input.observations || !input.observations->areFiles())
     chain_.setFirstStage(observationStage(input));
-  else
-    chain_.setInput(ObservationSequence(options_.input,
-                                        controls_.reader.getScale(),
-                                        controls_.reader.getShift()),
-                    has_poses);
 }
 
 ChainStage
@@ -181,7 +215,7 @@ MapRun::observationStage(const MapInput& input)
                    ChainState& state, const ChainSettings&, const StageStore&) {
     const double scale = is_session ? 1 : controls_.reader.getScale();
     const Eigen::Vector3d shift =
-        input.recorded ? state.observations->shift() : Eigen::Vector3d::Zero().eval();
+        is_session ? Eigen::Vector3d::Zero().eval() : state.observations->shift();
     const bool is_shifted = !shift.isZero(0);
     state.observations.emplace(folder,
                                scale,

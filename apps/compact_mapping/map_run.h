@@ -33,6 +33,10 @@ settingsOf(const ChainOptions& options, unsigned threads);
 void
 tellExtension(const SequenceAlignmentReport& report, StageLog& log);
 
+/** \brief Tells how good a map is, and reports it as "quality" and next_positions. */
+void
+tellQuality(const CompactMappingReport& report, StageLog& log);
+
 /** \brief Makes a map by the \ref Chain, tells its stages, and writes it. */
 class MapRun {
 public:

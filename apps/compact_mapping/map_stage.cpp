@@ -3,6 +3,7 @@
 #include "drawn_apart.h"
 
 #include <pcl/core/impl/map_shift.h>
+#include <pcl/core/map_file.h>
 #include <pcl/core/surface_sentence.h>
 #include <pcl/pipeline/map_report.h>
 #include <pcl/pipeline/mapped_planes.h>
@@ -235,6 +236,20 @@ writeMap(const ChainOptions& options,
   tellMap(options, found, map, log);
   log.details["plan"] = nlohmann::ordered_json::parse(planDetailsText(map, plan));
   return names;
+}
+
+MapFigures
+compareMap(const ChainOptions& options,
+           const ChainState& made,
+           const StageLog& told,
+           const SessionTruth& truth)
+{
+  const CompactMap map = loadMapFile((fs::path(options.output) / "map.json").string());
+  MapFigures figures = compareWithTruth(map, *made.observations, made.before, truth);
+  const auto& bytes = told.details.at("bytes");
+  figures.compactness =
+      bytes.at("raw").get<double>() / std::max(bytes.at("textured").get<double>(), 1.0);
+  return figures;
 }
 
 } // namespace pcl::acmap

@@ -5,11 +5,8 @@
 #include <pcl/acquisition/digiclops_grabber.h>
 #include <pcl/acquisition/usb_camera.h>
 #include <pcl/core/fields_json.h>
-#include <pcl/core/rig_cameras.h>
 
 #include <CLI/CLI.hpp>
-
-#include <sstream>
 
 namespace pcl::acmap {
 
@@ -217,20 +214,13 @@ channelOrderOf(const std::string& text)
 {
   if (text == "auto")
     return std::nullopt;
-  std::istringstream words(text);
-  std::vector<RigCamera> order;
-  for (std::string word; std::getline(words, word, ',');)
-    for (const RigCamera camera : rig_cameras) {
-      const std::string name = nameOf(camera);
-      const bool is_new = std::count(order.begin(), order.end(), camera) == 0;
-      if (is_new && (word == name || word == name.substr(0, 1)))
-        order.push_back(camera);
-    }
-  const auto commas = std::count(text.begin(), text.end(), ',');
-  if (order.size() != rig_cameras.size() || commas != 2)
+  try {
+    return channelOrderIn(text);
+  }
+  catch (const BadArgumentException&) {
     throw UsageError("--channel-order: " + text +
                      " is neither auto nor an order of r,h,v");
-  return ChannelOrder{order[0], order[1], order[2]};
+  }
 }
 
 void
@@ -277,14 +267,7 @@ listDigiclopsCameras(StageLog& log)
 std::unique_ptr<GrabbedCamera>
 openDigiclopsCamera(const DigiclopsOptions& options, const TrinocularRig& rig)
 {
-  try {
-    return std::make_unique<DigiclopsCamera>(options, rig);
-  }
-  catch (const CameraException& error) {
-    if (error.fault() == CameraFault::NotFound)
-      throw NothingFound(failureOf(std::current_exception()).line);
-    throw;
-  }
+  return std::make_unique<DigiclopsCamera>(options, rig);
 }
 
 } // namespace pcl::acmap

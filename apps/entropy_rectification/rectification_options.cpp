@@ -8,9 +8,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <locale>
-#include <sstream>
-
 namespace pcl::acmap {
 
 namespace {

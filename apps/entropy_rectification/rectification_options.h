@@ -2,8 +2,10 @@
 
 #include "tool.h"
 
+#include <pcl/egomotion/revisit_detection_types.h>
 #include <pcl/mapping/entropy_rectification.h>
 #include <pcl/mapping/map_levelling_types.h>
+#include <pcl/mapping/plane_adjustment_types.h>
 #include <pcl/pipeline/bag_settings.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/pose_convention_check.h>
@@ -13,11 +15,9 @@
 
 #include <Eigen/Core>
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace pcl::acmap {
 
@@ -34,8 +34,6 @@ struct RectificationOptions {
   bool measures_path = true;               ///< unless the user states what it is
   bool six_degrees = false;                ///< adjust by planes after the entropy
   bool write_observations = false;
-  bool write_map = true;    ///< write map.pcd with all points
-  bool skip_broken = false; ///< leave out observations that cannot be read
 
   /** \brief Sets the bins for cameras, which see walls from a shorter distance and in
    * more detail than laser scanners, for which the class has its default. */
@@ -80,6 +78,13 @@ tellConsolidated(const SequenceConsolidationReport& report,
                  std::size_t observations,
                  bool is_raw,
                  StageLog& log);
+
+/** \brief Reports an adjustment by planes: lines of the summary, and `adjustment` in the
+ * details. */
+void
+tellAdjustment(const PlaneAdjustmentReport& report,
+               const std::optional<RevisitReport>& revisits,
+               StageLog& log);
 
 /** \brief Writes plan_before.png, plan_after.png, plan.png and energy.png.
  * \param[in] place path of a picture of a name */

@@ -1,21 +1,26 @@
 #include "rectification_options.h"
 
-#include "log_observations.h"
-#include "memory.h"
 #include "output_target.h"
-#include "pose_adjustment.h"
 #include "pose_options.h"
 #include "stage_reports.h"
 
+#include <pcl/core/carmen_log.h>
 #include <pcl/core/fields_json.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/part_of_progress.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/core/point_cloud_writer.h>
+#include <pcl/core/process_memory.h>
 #include <pcl/mapping/entropy_rectification.h>
+#include <pcl/pipeline/bag_scans.h>
 #include <pcl/pipeline/chain.h>
+#include <pcl/pipeline/input_kind.h>
+#include <pcl/pipeline/laser_observations.h>
 #include <pcl/pipeline/map_rows.h>
 #include <pcl/pipeline/observation_files.h>
+#include <pcl/pipeline/observation_writing.h>
+
+#include <CLI/StringTools.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -97,9 +102,7 @@ void
 tellVerdict(const EntropyRectificationReport& report, StageLog& log)
 {
   const MapVerdictReport& verdict = *report.verdict;
-  std::string reasons;
-  for (const std::string& reason : verdict.reasons)
-    reasons += (reasons.empty() ? "" : "; ") + reason;
+  const std::string reasons = CLI::detail::join(verdict.reasons, "; ");
   log.tell("verdict",
            std::string(nameIn(verdict_outcome_names, verdict.outcome)) + ": " +
                reasons);
@@ -161,34 +164,28 @@ tellLevel(const MapLevellingReport& report, StageLog& log)
   details["tilt_deg"] = tilt;
 }
 
-/** Writes the map and the observations, if they are wanted.
+/** Writes the map, and the observations if they are wanted.
  * \param[in] posed the observations at their new poses */
 void
-writeObservations(const RectificationOptions& options,
-                  const ObservationSequence& posed,
-                  const SequenceConsolidationReport& consolidated,
-                  const OutputFolder& folder,
-                  const RunControls& controls)
+writeClouds(const RectificationOptions& options,
+            const ObservationSequence& posed,
+            const SequenceConsolidationReport& consolidated,
+            const OutputFolder& folder,
+            const RunControls& controls)
 {
-  if (!options.write_map && !options.write_observations)
-    return;
-  MapRows map(
-      options.write_map ? consolidated.points : 0, consolidated.colored, memoryCheck());
-  const Progress progress(partOf(controls.progress, rectified, 1));
-  for (std::size_t i = 0; i < posed.size(); ++i) {
-    progress.tell(static_cast<double>(i) / static_cast<double>(posed.size()),
-                  "writing");
+  MapRows map(consolidated.points, consolidated.colored, memoryCheck());
+  const auto read = [&](std::size_t i) -> std::optional<ObservationToWrite> {
     const PosedObservation seen = posed.load(i);
-    if (options.write_map)
-      map.append(*seen.file, seen.T_map_camera, static_cast<std::int32_t>(i));
-    if (options.write_observations) {
-      PCLPointCloud2 cloud = seen.file->cloud;
-      dropUnwritableFields(cloud);
-      saveObservation(folder.path(observationName(i)), cloud, seen.T_map_camera);
-    }
-  }
-  if (options.write_map)
-    savePointCloud(folder.path("map.pcd"), map.finish());
+    map.append(*seen.file, seen.T_map_camera, static_cast<std::int32_t>(i));
+    if (!options.write_observations)
+      return {};
+    const PCLPointCloud2::Ptr cloud(new PCLPointCloud2(seen.file->cloud));
+    dropUnwritableFields(*cloud);
+    return {{cloud, seen.T_map_camera, 0, observationName(i)}};
+  };
+  writeObservations(
+      folder, posed.size(), read, {partOf(controls.progress, rectified, 1), "writing"});
+  savePointCloud(folder.path("map.pcd"), map.finish());
 }
 
 void
@@ -226,6 +223,92 @@ tellFiles(const RectificationOptions& options,
   log.details["posed_files"] = files;
   log.tellSeconds();
   log.tell("folder", options.output);
+}
+
+std::string
+degreesText(double radians)
+{
+  return shortNumber(radians * 180 / M_PI) + " degrees";
+}
+
+/** \brief The scans of a log, with what is assumed of their angles. */
+std::vector<PlanarScan>
+scansOfLog(const RectificationOptions& options, StageLog& log)
+{
+  CarmenLog carmen = loadCarmenLog(options.log, options.laser_sweep);
+  log.warn(carmen.remarks);
+  const PlanarScan& first = carmen.scans.front();
+  const std::string step = ", a beam each " + degreesText(std::abs(first.angle_step));
+  if (carmen.sweep == 0)
+    log.tell("sweep",
+             degreesText(std::abs(first.angle_step) *
+                         static_cast<double>(first.ranges.size() - 1)) +
+                 step + ", as the log states");
+  else
+    log.tell("sweep",
+             degreesText(carmen.sweep) + step +
+                 (carmen.is_sweep_stated ? ", as stated"
+                                         : ", assumed; --laser-fov states another"));
+  return std::move(carmen.scans);
+}
+
+std::vector<PlanarScan>
+allScans(const RectificationOptions& options, StageLog& log)
+{
+  if (inputKindOf(options.log) != InputKind::Bag)
+    return scansOfLog(options, log);
+  BagSettings settings = options.bag;
+  settings.every = 1;
+  BagScans read = loadBagScans(options.log, settings);
+  log.warn(read.remarks);
+  return std::move(read.scans);
+}
+
+/** Reads every n-th scan of a CARMEN log or of a bag. */
+LaserObservations
+readScans(const RectificationOptions& options, StageLog& log)
+{
+  std::vector<PlanarScan> all = allScans(options, log);
+  const std::size_t scans = all.size();
+  LaserObservations observations = observationsOf(std::move(all), options.bag.every);
+  log.warn(observations.remarks);
+  log.tell("read",
+           std::to_string(observations.clouds.size()) + " of " + std::to_string(scans) +
+               " scans, " + std::to_string(observations.points) + " echoes, " +
+               std::to_string(observations.missing_beams) + " beams without");
+  log.details["missing_beams"] = observations.missing_beams;
+  return observations;
+}
+
+Json
+detailsOf(const PlaneAdjustmentReport& report,
+          const std::optional<RevisitReport>& revisits)
+{
+  const char* const outcome = nameIn(adjustment_outcome_names, report.outcome);
+  Json details = fieldsOf(report,
+                          {{"reason", outcome},
+                           {"views"},
+                           {"invalid_points"},
+                           {"revisits_used"},
+                           {"revisits_dropped"}});
+  if (revisits) {
+    details["revisits"] =
+        fieldsOf(*revisits, {{"views"}, {"points"}, {"invalid_points"}});
+    details["revisits"]["used"] = report.revisits_used;
+    details["revisits"]["dropped"] = report.revisits_dropped;
+  }
+  return details;
+}
+
+void
+tellRevisits(const RevisitReport& revisits,
+             const PlaneAdjustmentReport& report,
+             StageLog& log)
+{
+  log.tell("revisits",
+           std::to_string(revisits.proposals) + " pairs of observations look alike, " +
+               std::to_string(revisits.verified) + " are verified, " +
+               std::to_string(report.revisits_used) + " used");
 }
 
 } // namespace
@@ -266,6 +349,23 @@ tellConsolidated(const SequenceConsolidationReport& report,
 }
 
 void
+tellAdjustment(const PlaneAdjustmentReport& report,
+               const std::optional<RevisitReport>& revisits,
+               StageLog& log)
+{
+  log.tell(std::string("planes ") + nameIn(adjustment_outcome_names, report.outcome),
+           report.reason);
+  log.tell("thickness",
+           "of planes seen by several observations " +
+               shortNumber(report.thickness_before) + " m, adjusted " +
+               shortNumber(report.thickness_after) + " m");
+  log.tell("moved by planes", "at most " + shortNumber(largestOf(report.moved)) + " m");
+  if (revisits)
+    tellRevisits(*revisits, report, log);
+  log.details["adjustment"] = detailsOf(report, revisits);
+}
+
+void
 savePictures(const RectificationPictures& pictures,
              const std::function<std::string(const char*)>& place)
 {
@@ -292,7 +392,6 @@ rectifyPoses(const RectificationOptions& options,
   settings.adjust = options.six_degrees;
   settings.measure_path =
       options.measures_path && options.stage.getMode() != RectificationMode::Paper;
-  settings.skip_broken = options.skip_broken;
   Chain chain(std::move(settings));
   chain.setInput(posed, true);
   chain.setNumberOfThreads(controls.threads);
@@ -302,7 +401,7 @@ rectifyPoses(const RectificationOptions& options,
   timer.finish("rectify");
   const ObservationSequence& mapped = *state.observations;
   const Poses& poses = state.estimated.trajectory.poses;
-  writeObservations(options, mapped, *report.consolidation, folder, controls);
+  writeClouds(options, mapped, *report.consolidation, folder, controls);
   writePoses(state.before, poses, folder);
   savePictures(drawRectification(state.rectified.clouds,
                                  state.before.poses,
@@ -337,36 +436,28 @@ rectifyScans(const RectificationOptions& options,
   if (scans.points == 0)
     throw NothingFound(options.input() + ": has no point");
   timer.finish("read");
-  const MapLevellingReport levelled =
-      levelObservations(levellingOf(options), scans, controls.threads);
   Rectification rectification = options.stage;
-  rectification.setUpDirection(levelled.axis);
   rectification.setNumberOfThreads(controls.threads);
   rectification.setProgressCallback(controls.progress);
-  for (std::size_t i = 0; i < scans.clouds.size(); ++i)
-    rectification.addPointCloud(
-        scans.clouds[i], scans.trajectory.poses[i], scans.weights[i]);
-  rectification.compute();
+  const RectifiedLaser found =
+      rectifyLaser(scans, levellingOf(options), std::move(rectification));
   timer.finish("rectify");
-  Poses poses;
-  for (std::size_t i = 0; i < rectification.getNumberOfPointClouds(); ++i)
-    poses.push_back(rectification.getPose(i));
-  const EntropyRectificationReport& report = rectification.getReport();
-  if (options.write_map)
-    savePointCloud(folder.path("map.pcd"), echoesOf(scans, poses, memoryCheck()));
-  writePoses(scans.trajectory, poses, folder);
-  savePictures(
-      drawRectification(
-          scans.clouds, scans.trajectory.poses, poses, levelled.axis, report.steps),
-      [&](const char* name) { return folder.path(name); });
-  saveCorrectedLog(folder.path("corrected.log"), scans, poses);
-  savePlanarPoses(folder.path("poses_2d.txt"), scans, poses);
+  savePointCloud(folder.path("map.pcd"), echoesOf(scans, found.poses, memoryCheck()));
+  writePoses(scans.trajectory, found.poses, folder);
+  savePictures(drawRectification(scans.clouds,
+                                 scans.trajectory.poses,
+                                 found.poses,
+                                 found.levelling.axis,
+                                 found.report.steps),
+               [&](const char* name) { return folder.path(name); });
+  saveCorrectedLog(folder.path("corrected.log"), scans, found.poses);
+  savePlanarPoses(folder.path("poses_2d.txt"), scans, found.poses);
   stopIfInterrupted();
   folder.commit();
   timer.finish("write");
-  log.warn(levelled.remarks);
-  log.warn(report.remarks);
-  tellRectification(options, levelled, report, log);
+  log.warn(found.levelling.remarks);
+  log.warn(found.report.remarks);
+  tellRectification(options, found.levelling, found.report, log);
   tellFiles(options, {}, log);
 }
 

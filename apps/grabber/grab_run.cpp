@@ -1,9 +1,7 @@
-#include "active_stereo/stereo_observation.h"
 #include "compact_mapping/live_map.h"
 #include "drawn_apart.h"
 #include "grabber_options.h"
 #include "live_window.h"
-#include "memory.h"
 #include "output_target.h"
 #include "terminal.h"
 
@@ -16,8 +14,10 @@
 #include <pcl/acquisition/trinocular_recorder.h>
 #include <pcl/conversions.h>
 #include <pcl/core/calibration_file.h>
+#include <pcl/core/camera_exception.h>
 #include <pcl/core/fields_json.h>
 #include <pcl/core/impl/size_text.h>
+#include <pcl/core/process_memory.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/pattern_need.h>
 
@@ -43,6 +43,20 @@ struct Device {
   std::optional<RigCalibration> cameras;
 };
 
+/** \throws NothingFound when there is no such camera */
+std::unique_ptr<GrabbedCamera>
+openCamera(const GrabbedCameraOpener& opener, const TrinocularRig& rig)
+{
+  try {
+    return opener(rig);
+  }
+  catch (const CameraException& error) {
+    if (error.fault() == CameraFault::NotFound)
+      throw NothingFound(failureOf(std::current_exception()).line);
+    throw;
+  }
+}
+
 /** \brief Opens the device.
  * \throws what the opener of the camera throws
  * \throws InputFileException when rig or recording cannot be read */
@@ -65,7 +79,7 @@ openDevice(const GrabberOptions& options,
     log.tell("rig", found.told);
     device.rig = found.rig;
     device.cameras = found.cameras;
-    device.camera = opener(device.rig);
+    device.camera = openCamera(opener, device.rig);
   }
   if (options.isRecording() && hasBuiltCameras(options.rigPath()))
     device.cameras = loadRigCalibration(options.rigPath());
@@ -134,7 +148,7 @@ settleTime(const GrabberOptions& options,
  * \param[in] drawing is locked while the projector's window is drawn, since Xlib is not
  * thread-safe; outlives the projection
  * \throws BadArgumentException, IOException as \ref PatternWindow
- * \throws MemoryRefused when the patterns do not fit
+ * \throws MemoryLimitException when the patterns do not fit
  * \throws CameraException when a shot fails
  * \throws CancelledException when the user interrupted it */
 Projection
@@ -177,14 +191,14 @@ struct CloudOutput {
   }))
   {
     if (!options.clouds.empty())
-      requireNoStereo(folder.emplace(options.clouds));
+      requireNoneIn(folder.emplace(options.clouds), isConvertedName);
   }
 
   FrameRectifier rectifier;
   ShotFusion fusion;
   std::optional<OutputFolder> folder; ///< nothing if clouds are only shown
   ShotGroups groups;
-  StereoResults results;
+  ConvertedSession converted;
 };
 
 /** \brief The map of a run. Its files are in the folder's hidden part until it is
@@ -221,7 +235,7 @@ public:
   /** \param[in] live shows each cloud; may be null
    * \throws OutputFileException when a folder cannot be written to, or holds results
    * \throws InputFileException when the rig cannot be matched or rectified
-   * \throws MemoryRefused */
+   * \throws MemoryLimitException */
   GrabOutputs(const GrabberOptions& options,
               const Device& device,
               unsigned threads,
@@ -239,26 +253,14 @@ public:
       clouds_.emplace(options, device, threads);
       log_.warn(clouds_->rectifier.remarks());
     }
-    if (options.session.empty())
-      return;
-    std::error_code error;
-    is_new_session_ = !fs::exists(options.session, error);
-    if (device.cameras)
-      recorder_.emplace(options.session, device.rig, *device.cameras);
-    else
-      recorder_.emplace(options.session, device.rig);
+    if (!options.session.empty())
+      recorder_.emplace(options.session, device.rig, device.cameras);
   }
 
-  /** \brief Removes a session without frames, which would block the next run. */
   ~GrabOutputs()
   {
-    if (!recorder_ || recorder_->frames() > 0)
-      return;
-    std::error_code error;
-    for (const char* const name : {"session.yaml", "rig.yaml"})
-      fs::remove(fs::path(options_.session) / name, error);
-    if (is_new_session_)
-      fs::remove(options_.session, error);
+    if (recorder_)
+      recorder_->discardIfEmpty();
   }
 
   GrabOutputs(const GrabOutputs&) = delete;
@@ -348,9 +350,9 @@ public:
   {
     if (recorder_)
       recorder_->finish();
-    if (clouds_ && clouds_->results.points == 0) {
-      clouds_->results.warnOfRemarks(log_);
-      log_.failWithNothing("no pixel has a place: " + clouds_->results.rejected());
+    if (clouds_ && clouds_->converted.report.points == 0) {
+      warnOfRemarks(clouds_->converted, log_);
+      log_.failWithNothing(noPlaceText(clouds_->converted));
     }
     if (clouds_ && clouds_->folder)
       clouds_->folder->commit();
@@ -372,20 +374,9 @@ public:
     const std::string kept = keepClouds() + keepSession() + keepMap(failure, controls);
     if (kept.empty())
       std::rethrow_exception(error);
-    switch (failure.code) {
-    case exit_interrupted:
-      throw InterruptedPartway("interrupted" + kept);
-    case exit_output:
-      throw OutputFileException(failure.line + kept);
-    case exit_input:
-      throw InputFileException(failure.line + kept);
-    case exit_nothing_found:
-      throw NothingFound(failure.line + kept);
-    case exit_memory:
-      throw MemoryRefused(failure.line + kept);
-    default:
-      throw std::runtime_error(failure.line + kept);
-    }
+    throw FailedPartway(
+        failure.code,
+        (failure.code == exit_interrupted ? "interrupted" : failure.line) + kept);
   }
 
   /** \brief Writes lines of the summary and the report. */
@@ -399,15 +390,15 @@ public:
       log_.warn(map_->groups.remarks());
     log_.tell("observations", std::to_string(observations_));
     if (clouds_) {
-      const StereoResults& results = clouds_->results;
-      results.warnOfRemarks(log_);
+      const ConvertedSession& converted = clouds_->converted;
+      warnOfRemarks(converted, log_);
       details["method"] = options_.map.stereo.method;
       details["least_disparity"] = clouds_->fusion.range().minimum;
       details["most_disparity"] = clouds_->fusion.range().maximum();
-      details["points"] = results.points;
-      details["matched_share"] = results.matchedShare();
-      details["observations"] = results.entries;
-      results.tellPoints(log_);
+      details["points"] = converted.report.points;
+      details["matched_share"] = converted.matchedShare();
+      details["observations"] = Json::parse(converted.figuresText());
+      tellPoints(converted, log_);
     }
     for (const auto& [step, seconds] : seconds_)
       log_.report.seconds.emplace_back(step, seconds);
@@ -436,7 +427,7 @@ private:
                       cloud,
                       Eigen::Isometry3d::Identity());
     }
-    clouds_->results.add(made);
+    clouds_->converted.add(made);
     if (live_)
       live_->show(made.cloud);
   }
@@ -444,11 +435,11 @@ private:
   std::string
   keepClouds()
   {
-    if (!clouds_ || !clouds_->folder || clouds_->results.points == 0)
+    if (!clouds_ || !clouds_->folder || clouds_->converted.report.points == 0)
       return "";
     clouds_->folder->commit();
     return "; observations finished by then, in " + options_.clouds + ": " +
-           std::to_string(clouds_->results.observations);
+           std::to_string(clouds_->converted.report.observations);
   }
 
   std::string
@@ -501,8 +492,7 @@ private:
   StageLog& log_;
   std::optional<MapOutput> map_;
   std::optional<CloudOutput> clouds_;
-  std::optional<TrinocularRecorder> recorder_; // of the raw session
-  bool is_new_session_ = false;
+  std::optional<TrinocularRecorder> recorder_;  // of the raw session
   std::vector<TrinocularFrame::ConstPtr> open_; // frames of the current observation
   std::size_t observations_ = 0;
   // seconds of each step, summed over all observations

@@ -51,8 +51,7 @@ public:
 };
 
 /** \brief Opens a camera for frames of a rig, with the settings of the user.
- * \throws NothingFound when there is no such camera
- * \throws CameraException when it cannot be opened or does not support a setting
+ * \throws CameraException when there is no such camera, it cannot be opened or does not support a setting
  * \throws UsageError, BadArgumentException for settings that no camera supports */
 using GrabbedCameraOpener =
     std::function<std::unique_ptr<GrabbedCamera>(const TrinocularRig& rig)>;

@@ -1,11 +1,11 @@
 #include "extraction.h"
 
 #include "length_check.h"
-#include "memory.h"
 #include "setter_option.h"
 #include "stage_reports.h"
 
 #include <pcl/core/patch_text.h>
+#include <pcl/core/process_memory.h>
 #include <pcl/pipeline/cloud_labels.h>
 #include <pcl/pipeline/mapped_planes.h>
 

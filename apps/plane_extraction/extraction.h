@@ -68,7 +68,7 @@ mappingOf(const PlaneOptions& options, unsigned threads);
  * \param[in] viewpoints of a cloud with a field `view`, metres
  * \param[in] mesh whose vertices are the points of the cloud; empty: none
  * \throws UsageError if an option does not fit the cloud
- * \throws MemoryRefused when this machine has not enough memory */
+ * \throws MemoryLimitException when this machine has not enough memory */
 MappedPlanes
 extractPlanes(const PlaneOptions& options,
               const CloudRows& rows,

@@ -92,28 +92,6 @@ addStampGap(CLI::App& app, RgbdOptions& options)
               "Seconds between what lists or names have of one moment, at most");
 }
 
-std::vector<std::string>
-rgbdRemarks(const RgbdOptions& options,
-            const RgbdSequence& sequence,
-            const RgbdCameras& cameras)
-{
-  std::vector<std::string> remarks = sequence.remarks;
-  if (!cameras.color && !sequence.is_registered && !options.is_registered)
-    remarks.emplace_back(
-        "the camera of the colours is not known: took them pixel by pixel as the "
-        "depths; --color-camera names it, --registered says that this is right");
-  const auto count = [&](std::size_t frames, const std::string& fault) {
-    if (frames > 0)
-      remarks.push_back(std::to_string(frames) + fault);
-  };
-  count(sequence.unmatched,
-        " depth images left out: no colour image was taken near them");
-  count(sequence.unposed, " frames left out: no pose is known near them");
-  for (const std::string& remark : assessRgbd(sequence, cameras).remarks)
-    remarks.push_back(remark);
-  return remarks;
-}
-
 std::string
 intrinsicsText(const RgbdOptions& options, const RgbdSequence& sequence)
 {

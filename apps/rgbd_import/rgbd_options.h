@@ -34,13 +34,6 @@ addMaxDepth(CLI::App& app, RgbdOptions& options);
 void
 addStampGap(CLI::App& app, RgbdOptions& options);
 
-/** \brief What was assumed and what contradicts it: warnings, each once with the option that
- * states another. */
-std::vector<std::string>
-rgbdRemarks(const RgbdOptions& options,
-            const RgbdSequence& sequence,
-            const RgbdCameras& cameras);
-
 /** \brief What the file of the depth camera is, for the summary; nothing without one. */
 std::string
 intrinsicsText(const RgbdOptions& options, const RgbdSequence& sequence);

@@ -1,11 +1,10 @@
 #include "session.h"
 
-#include "memory.h"
-
 #include <pcl/acquisition/trinocular_recorder.h>
 #include <pcl/core/image_file.h>
 #include <pcl/core/impl/parallel.h>
 #include <pcl/core/impl/size_text.h>
+#include <pcl/core/process_memory.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/stereo/trinocular_rectification.h>
 
@@ -101,16 +100,6 @@ stampedTrajectory(const SimulatedScene& scene, const SimulatedRigGrabber& grabbe
   return trajectory;
 }
 
-TrinocularRecorder
-recorderOf(const OutputFolder& folder, const FilmedScene& filmed)
-{
-  const std::string path = folder.path(".");
-  const TrinocularRig& rig = filmed.scene.rig;
-  if (filmed.cameras)
-    return TrinocularRecorder(path, rig, *filmed.cameras);
-  return TrinocularRecorder(path, rig);
-}
-
 } // namespace
 
 std::vector<std::string>
@@ -163,7 +152,7 @@ writeSession(const OutputFolder& folder,
   grabber->setNumberOfObservations(settings.observations);
   const std::size_t frames = settings.observations * grabber->getShotsOfObservation();
 
-  TrinocularRecorder recorder = recorderOf(folder, filmed);
+  TrinocularRecorder recorder(folder.path("."), filmed.scene.rig, filmed.cameras);
   const std::function<TrinocularGrabber::FrameCallback> record =
       [&](const TrinocularFrame::ConstPtr& frame) {
         recorder.record(*frame);

@@ -38,7 +38,7 @@ struct FilmedScene {
  * \param[in] path of a `rig.yaml` with cameras
  * \return warnings about them
  * \throws InputFileException when no cameras can be read, or none can be rectified
- * \throws MemoryRefused when their images do not fit */
+ * \throws MemoryLimitException when their images do not fit */
 std::vector<std::string>
 setBuiltCameras(const std::string& path, FilmedScene& filmed);
 
@@ -67,7 +67,7 @@ isSessionName(const std::string& name);
  * each observation: disparities, visibility, poses, planes. All files are in the
  * folder's hidden part until it is committed.
  * \throws InputFileException when the cameras cannot be simulated
- * \throws MemoryRefused when the patterns do not fit
+ * \throws MemoryLimitException when the patterns do not fit
  * \throws OutputFileException when a file could not be written completely
  * \throws CancelledException when the callback requests it */
 SessionCounts

@@ -1,41 +1,20 @@
 #include "texture_stage.h"
 
-#include "memory.h"
 #include "setter_option.h"
 #include "stage_reports.h"
 
 #include <pcl/core/impl/size_text.h>
+#include <pcl/core/process_memory.h>
 #include <pcl/pipeline/cost_callback.h>
-#include <pcl/pipeline/detail_mesh.h>
+#include <pcl/pipeline/map_sizes.h>
 #include <pcl/point_types.h>
 #include <pcl/texture/plane_texturing.h>
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <filesystem>
-
 namespace pcl::acmap {
 
-namespace {
-
 using Texturing = PlaneTexturing<PointXYZRGB>;
-
-std::size_t
-geometryBytes(const CompactMap& map)
-{
-  constexpr std::size_t bytes_of_plane = 16, bytes_of_corner = 12;
-  std::size_t bytes = bytes_of_plane * map.planes.size();
-  for (const PlanePatch& plane : map.planes)
-    for (const PlanePolygon& polygon : plane.polygons) {
-      bytes += bytes_of_corner * polygon.outer.size();
-      for (const std::vector<Eigen::Vector3f>& hole : polygon.holes)
-        bytes += bytes_of_corner * hole.size();
-    }
-  return bytes;
-}
-
-} // namespace
 
 void
 tellTexture(const TexturingReport& report, StageLog& log)
@@ -126,28 +105,18 @@ tellCompactness(std::size_t points,
                 const std::string& folder,
                 StageLog& log)
 {
-  namespace fs = std::filesystem;
-  constexpr std::size_t bytes_of_point = 16; // x y z rgb
-  const std::size_t raw = bytes_of_point * points;
-  nlohmann::ordered_json bytes = {{"raw", raw},
-                                  {"geometry", geometryBytes(map)},
-                                  {"details", detailBytes(map.details)}};
-  for (const char* name : {"map.glb", "map.json"}) {
-    std::error_code error;
-    const auto size = fs::file_size(fs::path(folder) / name, error);
-    bytes[name] = error ? 0 : size;
-  }
-  const auto ratio = [&](const char* of) {
-    const auto size = bytes[of].get<std::size_t>();
-    return ratioText(static_cast<double>(raw) /
-                     static_cast<double>(std::max<std::size_t>(size, 1)));
-  };
-  bytes["textured"] = bytes["map.glb"].get<std::size_t>() - detailBytes(map.details);
+  const MapSizes sizes = measureMap(map, points, folder);
+  const auto ratio = [&](std::size_t bytes) { return ratioText(sizes.ratioTo(bytes)); };
   log.tell("compactness",
-           ratio("textured") + " with texture, " + ratio("map.glb") +
-               " with details, " + ratio("geometry") + " geometry alone, " +
-               ratio("map.json") + " map.json");
-  log.details["bytes"] = std::move(bytes);
+           ratio(sizes.textured()) + " with texture, " + ratio(sizes.glb) +
+               " with details, " + ratio(sizes.geometry) + " geometry alone, " +
+               ratio(sizes.json) + " map.json");
+  log.details["bytes"] = {{"raw", sizes.raw},
+                          {"geometry", sizes.geometry},
+                          {"details", sizes.details},
+                          {"map.glb", sizes.glb},
+                          {"map.json", sizes.json},
+                          {"textured", sizes.textured()}};
 }
 
 } // namespace pcl::acmap

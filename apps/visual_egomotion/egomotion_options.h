@@ -15,8 +15,7 @@ struct EgomotionOptions {
   std::vector<std::string> inputs; ///< one folder, or PCDs in their order
   std::string output;
   VisualOdometry::Egomotion stage;
-  bool measures_path = true;       ///< unless the user states what it is
-  bool writes_observations = true; ///< write copies of the input with poses
+  bool measures_path = true; ///< unless the user states what it is
   bool pictures = false;
   std::string truth; ///< trajectory to compare with; empty: none
 

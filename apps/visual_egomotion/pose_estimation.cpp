@@ -5,7 +5,6 @@
 
 #include <pcl/core/fields_json.h>
 #include <pcl/core/impl/cloud_fields.h>
-#include <pcl/core/impl/quantile.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/odometry_comparison.h>
@@ -95,16 +94,6 @@ requireFit(const OutputFolder& folder, const ObservationSequence& sequence)
   });
 }
 
-/** Length of a trajectory, metres. */
-double
-lengthOf(const Poses& poses)
-{
-  double length = 0;
-  for (std::size_t i = 1; i < poses.size(); ++i)
-    length += (poses[i].translation() - poses[i - 1].translation()).norm();
-  return length;
-}
-
 /** Standard deviations of all degrees of freedom of the model, metres and radians. */
 Json
 deviationsOf(const EgomotionEstimate& estimate, bool is_rigid)
@@ -165,42 +154,6 @@ jsonOf(const OdometryComparison& comparison)
   return json;
 }
 
-/** Median of a function over all pairs with a motion. */
-template <typename Function>
-double
-medianOf(const VisualOdometryResult& run, const Function& function)
-{
-  std::vector<double> values;
-  for (const OdometryPair& pair : run.pairs)
-    if (pair.estimate)
-      values.push_back(static_cast<double>(function(pair)));
-  return acmap::medianOf(values);
-}
-
-/** Median of the estimated standard deviations of the motions along some axes.
- * \param[in] first,count of the rows of the covariance: metres, radians */
-double
-medianDeviation(const VisualOdometryResult& run, int first, int count)
-{
-  return medianOf(run, [&](const OdometryPair& pair) {
-    return std::sqrt(pair.estimate->covariance.diagonal().segment(first, count).sum());
-  });
-}
-
-/** Warns of observations by name, and of the number of those beyond the first 20. */
-void
-warnOfEach(const std::vector<std::string>& remarks,
-           const std::string& others,
-           StageLog& log)
-{
-  constexpr std::size_t max_named = 20;
-  for (std::size_t i = 0; i < std::min(max_named, remarks.size()); ++i)
-    log.warn(remarks[i]);
-  if (remarks.size() > max_named)
-    log.warn(std::to_string(remarks.size() - max_named) + " further observations " +
-             others);
-}
-
 /** Warns of lost observations, and of those that were joined past others: views that
  * are farther apart have less in common. */
 void
@@ -215,7 +168,9 @@ warnOfGaps(const ObservationList& list, const VisualOdometryResult& run, StageLo
     else
       lost.push_back("lost: " + list.sequence.path(i) + ": " +
                      run.reasonOf(i, list.names));
-  warnOfEach(lost, "are lost, the report names them", log);
+  constexpr std::size_t max_named = 20;
+  log.warnOfFirst(
+      max_named, lost, "further observations are lost, the report names them");
   // a single observation lost at the end is already reported in another line
   if (size - end > 1)
     log.warn("nothing was joined from " + list.sequence.path(end) + " on: the last " +
@@ -226,28 +181,28 @@ warnOfGaps(const ObservationList& list, const VisualOdometryResult& run, StageLo
                       list.names[pair.before] + ", past " +
                       std::to_string(pair.skipped()) + " others, by " +
                       std::to_string(pair.report.inliers) + " matches");
-  warnOfEach(skips, "were joined past others, the report tells which", log);
+  log.warnOfFirst(
+      max_named,
+      skips,
+      "further observations were joined past others, the report tells which");
 }
 
 /** Adds the lines of the summary. */
 void
 tellRun(const VisualOdometryResult& run,
-        double length,
+        const OdometryFigures& figures,
         const std::optional<OdometryComparison>& comparison,
         StageLog& log)
 {
   log.tell("posed",
            std::to_string(run.posed()) + " of " + std::to_string(run.poses.size()) +
-               " observations, along " + shortNumber(length) + " m");
-  log.tell(
-      "matches",
-      shortNumber(medianOf(run, [](auto& pair) { return pair.report.matches; })) +
-          " a pair, of which " +
-          shortNumber(medianOf(run, [](auto& pair) { return pair.report.inliers; })) +
-          " agree (medians)");
+               " observations, along " + shortNumber(figures.length) + " m");
+  log.tell("matches",
+           shortNumber(figures.matches) + " a pair, of which " +
+               shortNumber(figures.inliers) + " agree (medians)");
   log.tell("deviation",
-           shortNumber(1000 * medianDeviation(run, 0, 3)) + " mm and " +
-               shortNumber(degrees * medianDeviation(run, 3, 3)) +
+           shortNumber(1000 * figures.translation) + " mm and " +
+               shortNumber(degrees * figures.rotation) +
                " degrees a pair (medians, as estimated)");
   if (!comparison)
     return;
@@ -270,7 +225,7 @@ Json
 detailsOf(const EgomotionOptions& options,
           const ObservationList& list,
           const VisualOdometryResult& run,
-          double length,
+          const OdometryFigures& figures,
           const std::optional<OdometryComparison>& comparison)
 {
   Json lost = Json::array(), pairs = Json::array(), posed_files = Json::array();
@@ -281,16 +236,13 @@ detailsOf(const EgomotionOptions& options,
       lost.push_back({{"observation", list.sequence.path(i)},
                       {"reason", run.reasonOf(i, list.names)}});
   const bool is_rigid = run.model == MotionModel::Rigid;
-  std::size_t fits = 0;
-  for (const OdometryPair& pair : run.pairs) {
+  for (const OdometryPair& pair : run.pairs)
     pairs.push_back(jsonOf(pair, list, is_rigid));
-    fits += pair.report.fits;
-  }
   const VisualOdometry::Egomotion& stage = options.stage;
   Json details = {{"inputs", options.inputs},
                   {"output", options.output},
                   {"mode", stage.getPaperMode() ? "paper" : "accurate"},
-                  {"fits", fits},
+                  {"fits", figures.fits},
                   {"model", nameIn(motion_model_names, run.model)},
                   {"max_translation", stage.getMaximumTranslation()},
                   {"max_rotation", stage.getMaximumRotation()},
@@ -298,13 +250,11 @@ detailsOf(const EgomotionOptions& options,
                   {"refinement", stage.getRefinement() && !stage.getPaperMode()},
                   {"observations", list.names.size()},
                   {"posed", run.posed()},
-                  {"length", length},
+                  {"length", figures.length},
                   {"posed_files", posed_files},
                   {"lost", lost},
                   {"median_deviations",
-                   {{"x", medianDeviation(run, 0, 1)},
-                    {"z", medianDeviation(run, 2, 1)},
-                    {"about_y", medianDeviation(run, 4, 1)}}},
+                   {{"x", figures.x}, {"z", figures.z}, {"about_y", figures.about_y}}},
                   {"free_motion", fieldsOf(run.free)},
                   {"pairs", pairs}};
   if (comparison)
@@ -359,33 +309,31 @@ run(const EgomotionOptions& options,
   odometry.setProgressCallback(controls.progress);
   if (options.pictures)
     odometry.setPairCallback(matchDrawer(folder));
-  if (options.writes_observations)
-    odometry.setPoseCallback([&](std::size_t index,
-                                 const PointCloudFile& observation,
-                                 const Eigen::Isometry3d& T_map_camera) {
-      PCLPointCloud2 cloud = observation.cloud;
-      dropUnwritableFields(cloud);
-      saveObservation(folder.path(list.outputs[index]), cloud, T_map_camera);
-    });
+  odometry.setPoseCallback([&](std::size_t index,
+                               const PointCloudFile& observation,
+                               const Eigen::Isometry3d& T_map_camera) {
+    PCLPointCloud2 cloud = observation.cloud;
+    dropUnwritableFields(cloud);
+    saveObservation(folder.path(list.outputs[index]), cloud, T_map_camera);
+  });
   VisualOdometryResult found = odometry.compute(list.sequence);
   log.warn(odometry.getReport().remarks);
   return found;
 }
 
-/** \param[in] length of the way, metres */
 void
 tellAll(const EgomotionOptions& options,
         const ObservationList& list,
         const VisualOdometryResult& found,
-        double length,
         const std::optional<OdometryComparison>& comparison,
         StageLog& log)
 {
+  const OdometryFigures figures = figuresOf(found);
   warnOfGaps(list, found, log);
   if (options.measures_path && !options.stage.getPaperMode())
     tellPath(found.path(), log);
-  tellRun(found, length, comparison, log);
-  log.details.update(detailsOf(options, list, found, length, comparison));
+  tellRun(found, figures, comparison, log);
+  log.details.update(detailsOf(options, list, found, figures, comparison));
 }
 
 } // namespace
@@ -399,13 +347,7 @@ tellOdometry(const EgomotionOptions& options,
 {
   savePng(plan, trajectoryPicture(found.poses, {}));
   const ObservationList list{sequence, sequence.names(), {}, {}};
-  const std::vector<double> no_stamps(found.poses.size());
-  tellAll(options,
-          list,
-          found,
-          lengthOf(found.estimated(no_stamps).trajectory.poses),
-          std::nullopt,
-          log);
+  tellAll(options, list, found, std::nullopt, log);
 }
 
 void
@@ -440,7 +382,7 @@ estimatePoses(const EgomotionOptions& options,
   requireFit(folder, sequence);
   folder.commit();
   timer.finish("write");
-  tellAll(options, list, found, lengthOf(trajectory.poses), comparison, log);
+  tellAll(options, list, found, comparison, log);
   log.tellSeconds();
   log.tell("folder", options.output);
 }

@@ -1,7 +1,9 @@
 #include "session_frames.h"
 #include "temporary_folder.h"
 
+#include <pcl/acquisition/rig_of_images.h>
 #include <pcl/core/image_file.h>
+#include <pcl/core/rig_calibration.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -161,6 +163,26 @@ TEST_F(ImageLists, RefuseUglyPgmAndPpm)
         faultWith(file),
         testing::AllOf(HasSubstr("frame 1: reference camera"), HasSubstr("image: ")))
         << file;
+}
+
+TEST_F(ImageLists, HaveTheirCamerasInACalibration)
+{
+  const std::string rig = folder_.path("rig.yaml");
+  saveTrinocularRig(rig, rig_);
+  const CalibratedRig all = loadRigOfImages({rig}, lists_);
+  EXPECT_EQ(all.rig.baseline_horizontal, rig_.baseline_horizontal);
+  EXPECT_EQ(all.rig.baseline_vertical, rig_.baseline_vertical);
+  EXPECT_FALSE(all.cameras);
+  TrinocularImageLists pair = lists_;
+  pair.vertical.clear();
+  EXPECT_EQ(loadRigOfImages({rig}, pair).rig.baseline_vertical, 0);
+
+  rig_.baseline_vertical = 0;
+  saveTrinocularRig(rig, rig_);
+  EXPECT_THAT(
+      faultOfRunning<BadArgumentException>([&] { loadRigOfImages({rig}, lists_); }),
+      HasSubstr("has no vertical camera"));
+  EXPECT_THROW(loadRigOfImages({rig}, {}), BadArgumentException);
 }
 
 } // namespace

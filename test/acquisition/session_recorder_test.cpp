@@ -67,6 +67,27 @@ TEST_F(SessionRecorder, EachFrameIsThereAtOnce)
               HasSubstr("frame 3: the session is finished"));
 }
 
+TEST_F(SessionRecorder, DiscardsASessionWithoutFrames)
+{
+  {
+    TrinocularRecorder recorder(session_, rig_);
+    recorder.finish();
+    recorder.discardIfEmpty();
+  }
+  EXPECT_FALSE(fs::exists(session_));
+  fs::create_directory(session_);
+  TrinocularRecorder recorder(session_, rig_);
+  recorder.discardIfEmpty();
+  EXPECT_TRUE(fs::is_empty(session_)) << "the folder was there before";
+
+  TrinocularRecorder again(session_, rig_);
+  again.record(recordedFrame(rig_, 0));
+  again.discardIfEmpty();
+  again.record(recordedFrame(rig_, 1));
+  again.finish();
+  EXPECT_EQ(TrinocularFileGrabber(session_).frames(), 2U);
+}
+
 TEST_F(SessionRecorder, OverwritesNoSession)
 {
   recordSession(session_, rig_, 1);

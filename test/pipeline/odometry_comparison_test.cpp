@@ -38,6 +38,33 @@ TEST(OdometryComparison, FirstPosedObservationHasItsTruePose)
   EXPECT_NEAR(comparison.absolute.unaligned, std::sqrt((0.01 + 0.04 + 0.09) / 4), 1e-9);
 }
 
+TEST(OdometryFigures, AreMediansOfThePairsWithAMotion)
+{
+  VisualOdometryResult found;
+  for (const Eigen::Isometry3d& pose : wayAhead(4, 2))
+    found.poses.emplace_back(pose);
+  found.poses.insert(found.poses.begin() + 1, std::nullopt); // lost
+  for (const int factor : {1, 2, 9}) {
+    OdometryPair& pair = found.pairs.emplace_back();
+    pair.report.matches = static_cast<std::size_t>(100 * factor);
+    pair.report.inliers = static_cast<std::size_t>(10 * factor);
+    pair.report.fits = 2;
+    pair.estimate.emplace();
+    pair.estimate->covariance.setZero();
+    pair.estimate->covariance(0, 0) = pair.estimate->covariance(2, 2) = factor * factor;
+  }
+  found.pairs.emplace_back().report.matches = 7; // without a motion
+  const OdometryFigures figures = figuresOf(found);
+  EXPECT_DOUBLE_EQ(figures.length, 6);
+  EXPECT_EQ(figures.matches, 200);
+  EXPECT_EQ(figures.inliers, 20);
+  EXPECT_EQ(figures.fits, 6U);
+  EXPECT_DOUBLE_EQ(figures.x, 2);
+  EXPECT_DOUBLE_EQ(figures.translation, std::sqrt(8));
+  EXPECT_EQ(figures.rotation, 0);
+  EXPECT_EQ(figuresOf({}).matches, 0);
+}
+
 TEST(OdometryComparison, NeedsAPoseAndATruthOfEach)
 {
   VisualOdometryResult found;

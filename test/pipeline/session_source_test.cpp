@@ -5,11 +5,13 @@
 #include <pcl/core/output_folder.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/observation_writing.h>
+#include <pcl/pipeline/session_conversion.h>
 #include <pcl/pipeline/session_source.h>
 #include <pcl/simulation/simulated_rig_grabber.h>
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <map>
 #include <mutex>
 #include <sstream>
@@ -206,6 +208,107 @@ TEST_F(Sessions, BecomeAFolderInOneLine)
   EXPECT_THAT(frames_->reads(), Each(Pair(testing::_, 1)));
   EXPECT_EQ(read.load(1).file->points().size(),
             64U * sequence.load(1).file->cloud.height);
+}
+
+std::vector<std::string>
+namesIn(const std::string& folder)
+{
+  return OutputFolder(folder).names();
+}
+
+TEST_F(Sessions, AreConvertedWithTheirDisparities)
+{
+  const TemporaryFolder folder;
+  SessionConversion conversion;
+  conversion.writes_disparities = true;
+  OutputFolder written(folder.path("observations"));
+  ConvertedSession converted;
+  const auto session = openSession(frames_);
+  convertSession(*session, conversion, written, converted);
+  written.commit();
+  EXPECT_THAT(namesIn(folder.path("observations")),
+              ElementsAre("disparity_0003.pfm",
+                          "disparity_0003.png",
+                          "disparity_0005.pfm",
+                          "disparity_0005.png",
+                          "observation_0003.pcd",
+                          "observation_0005.pcd"));
+  EXPECT_EQ(converted.report.points, session->getReport().points);
+  EXPECT_EQ(converted.pixels(),
+            2 * static_cast<std::size_t>(rig_.width) *
+                static_cast<std::size_t>(rig_.height));
+  EXPECT_GT(converted.matchedShare(), 0.1);
+}
+
+TEST_F(Sessions, ConversionGoesOnWhereItWasInterrupted)
+{
+  const TemporaryFolder folder;
+  const std::string place = folder.path("observations");
+  const auto convert = [&](bool stops, ConvertedSession& converted) {
+    SessionConversion conversion;
+    conversion.goes_on = true;
+    conversion.progress = [&](double, const std::string&) {
+      return !stops || converted.report.observations == 0;
+    };
+    OutputFolder written(place);
+    convertSession(*openSession(frames_), conversion, written, converted);
+  };
+  ConvertedSession first;
+  EXPECT_THROW(convert(true, first), CancelledException);
+  EXPECT_EQ(first.report.observations, 1U);
+  EXPECT_THAT(namesIn(place), ElementsAre("finished.json", "observation_0003.pcd"));
+  const auto written =
+      std::filesystem::last_write_time(place + "/observation_0003.pcd");
+
+  ConvertedSession whole, all_at_once;
+  convert(false, whole);
+  EXPECT_EQ(std::filesystem::last_write_time(place + "/observation_0003.pcd"), written);
+  EXPECT_THAT(namesIn(place),
+              ElementsAre("observation_0003.pcd", "observation_0005.pcd"));
+  std::filesystem::remove_all(place);
+  convert(false, all_at_once);
+  EXPECT_EQ(whole.figuresText(), all_at_once.figuresText());
+  EXPECT_EQ(whole.report.points, all_at_once.report.points);
+}
+
+TEST_F(Sessions, DamagedFiguresOfAnEarlierRunAreNone)
+{
+  ConvertedSession converted;
+  const auto is_there = [](const std::string&) { return true; };
+  for (const char* text :
+       {"", "{", "7", "[7]", R"([{"file":"observation_0003.pcd","frames":-1}])"}) {
+    converted.addFigures(text, is_there);
+    EXPECT_EQ(converted.figuresText(), "[]") << text;
+    EXPECT_EQ(converted.report.frames, 0U) << text;
+  }
+}
+
+TEST_F(Sessions, ConversionNeedsAPoseForEachNumber)
+{
+  const TemporaryFolder folder;
+  SessionConversion conversion;
+  conversion.poses = folder.path("poses.txt");
+  Trajectory poses;
+  for (int i = 0; i < 5; ++i) {
+    poses.stamps.push_back(i);
+    poses.poses.emplace_back(Eigen::Translation3d(i, 0, 0));
+  }
+  saveTrajectory(conversion.poses, poses);
+  OutputFolder written(folder.path("observations"));
+  ConvertedSession converted;
+  EXPECT_THROW(convertSession(*openSession(frames_), conversion, written, converted),
+               InputFileException)
+      << "five poses, none for observation 5";
+  poses.stamps.push_back(5);
+  poses.poses.emplace_back(Eigen::Translation3d(5, 0, 0));
+  saveTrajectory(conversion.poses, poses);
+  convertSession(*openSession(frames_), conversion, written, converted);
+  written.commit();
+  EXPECT_EQ(ObservationSequence(folder.path("observations"))
+                .load(1)
+                .T_map_camera.translation()
+                .x(),
+            5);
 }
 
 TEST_F(Sessions, LeaveOutBrokenFrames)

@@ -57,6 +57,27 @@ TEST_F(Repeated, PlanesAreMovedWithTheirRectangles)
           << plane.name;
 }
 
+/** The view of a copy shows the same, with other noise and with the planes of its copy. */
+TEST_F(Repeated, IsObservedFromTheSceneAlone)
+{
+  const std::size_t copy = 4;
+  const SimulatedObservation first = observeRepeated(one_, 0, 7);
+  const SimulatedObservation again = observeRepeated(one_, copy * one_.views.size(), 7);
+  EXPECT_GT(first.points, 1000u);
+  std::size_t labelled = 0, equal_depths = 0;
+  for (std::size_t i = 0; i < first.pixels.size(); ++i) {
+    const ObservationPixel& a = first.pixels[i];
+    const ObservationPixel& b = again.pixels[i];
+    if (a.label == 0 || b.label == 0)
+      continue;
+    ++labelled;
+    equal_depths += a.z == b.z;
+    EXPECT_EQ(b.label, a.label + copy * one_.geometry.planes().size());
+  }
+  EXPECT_GT(labelled, 1000u);
+  EXPECT_LT(equal_depths, labelled / 10);
+}
+
 TEST_F(Repeated, NeedsAtLeastOne)
 {
   EXPECT_THROW(repeatedScene(one_, 0, 2), BadArgumentException);

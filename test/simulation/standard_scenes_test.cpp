@@ -1,9 +1,11 @@
 #include "small_scenes.h"
+#include "temporary_folder.h"
 
+#include <pcl/core/exceptions.h>
 #include <pcl/simulation/ray_casting.h>
 #include <pcl/simulation/standard_scenes.h>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <set>
@@ -249,6 +251,19 @@ TEST(Office, PartitionIsSeenFromBothSides)
     }
     EXPECT_GT(pixels, 10000u) << side;
   }
+}
+
+TEST(StandardScenes, OpenByNameOrAsFiles)
+{
+  EXPECT_EQ(openSimulatedScene("office").views.size(),
+            standardScene("office").views.size());
+  const TemporaryFolder folder;
+  EXPECT_THAT(
+      [&] { openSimulatedScene(folder.write("castle.yaml", "rig: {}")); },
+      testing::ThrowsMessage<InputFileException>(testing::HasSubstr("castle.yaml")));
+  EXPECT_THAT(
+      [] { openSimulatedScene("castle"); },
+      testing::ThrowsMessage<InputFileException>(testing::HasSubstr("corridor, ")));
 }
 
 } // namespace

@@ -240,6 +240,27 @@ TEST(RigCalibrator, BadBoardsAreLeftOutByName)
   EXPECT_LE(report.column_residual, 0.15);
 }
 
+TEST(RigCalibrator, FewBoardsAndBareCornersAreTold)
+{
+  RigCalibrator calibrator;
+  addShots({shots().begin(), shots().begin() + 8}, calibrator);
+  RigCalibration cameras;
+  TrinocularRig rig;
+  calibrator.calibrate(cameras, rig);
+  const RigCalibratorReport& report = calibrator.getReport();
+  const auto tells = [&](const std::string& what) {
+    return std::count_if(
+        report.remarks.begin(), report.remarks.end(), [&](const std::string& remark) {
+          return remark.find(what) != std::string::npos;
+        });
+  };
+  EXPECT_EQ(tells("has only 8 good boards"), 3);
+  EXPECT_EQ(tells("the boards cover only"), report.coverage < 0.4 ? 1 : 0);
+  EXPECT_EQ(tells("are off by"), 0);
+  for (const std::string& remark : calibrated().calibrator.getReport().remarks)
+    EXPECT_EQ(remark.find("good boards"), std::string::npos) << remark;
+}
+
 TEST(RigCalibrator, TooFewBoardsAreNamed)
 {
   RigCalibrator calibrator;

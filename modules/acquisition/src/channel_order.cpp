@@ -3,9 +3,11 @@
 #include <pcl/acquisition/channel_order.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>
+#include <pcl/core/rig_cameras.h>
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 namespace pcl {
@@ -81,6 +83,24 @@ textOf(const ChannelOrder& order)
 {
   return std::string(nameOf(order[0])) + ',' + nameOf(order[1]) + ',' +
          nameOf(order[2]);
+}
+
+ChannelOrder
+channelOrderIn(const std::string& text)
+{
+  std::istringstream words(text);
+  std::vector<RigCamera> order;
+  for (std::string word; std::getline(words, word, ',');)
+    for (const RigCamera camera : acmap::rig_cameras) {
+      const std::string name = nameOf(camera);
+      const bool is_new = std::count(order.begin(), order.end(), camera) == 0;
+      if (is_new && (word == name || word == name.substr(0, 1)))
+        order.push_back(camera);
+    }
+  const auto commas = std::count(text.begin(), text.end(), ',');
+  if (order.size() != acmap::rig_cameras.size() || commas != 2)
+    throw acmap::BadArgument(text + " is no order of r,h,v");
+  return {order[0], order[1], order[2]};
 }
 
 ChannelOrderCheck

@@ -40,9 +40,10 @@ holdsSession(const std::string& folder)
   }
 }
 
-/** Creates the folder and its `rig.yaml`; on failure, a new folder is removed again. */
+/** Creates the folder and its `rig.yaml`; on failure, a new folder is removed again.
+ * \return true if the folder was created */
 template <typename SaveRig>
-void
+bool
 beginSession(const std::string& folder, const SaveRig& save_rig)
 {
   const bool is_new = makeFolder(folder);
@@ -63,6 +64,7 @@ beginSession(const std::string& folder, const SaveRig& save_rig)
       std::filesystem::remove(folder, error);
     throw;
   }
+  return is_new;
 }
 
 /** Writes a frame to the disk; on failure, no file remains. */
@@ -108,6 +110,7 @@ struct TrinocularRecorder::State {
   const std::string folder;
   const TrinocularRig rig;
   bool is_finished = false;
+  bool is_new_folder = false;
   std::size_t max_waiting = 0;
 
   std::mutex mutex; // protects the members below, except for the last one
@@ -171,18 +174,25 @@ TrinocularRecorder::State::write(const TrinocularFrame& frame)
 
 TrinocularRecorder::TrinocularRecorder(const std::string& folder,
                                        const TrinocularRig& rig)
-: state_(new State(folder, rig))
-{
-  beginSession(folder, [&](const std::string& path) { saveTrinocularRig(path, rig); });
-}
+: TrinocularRecorder(folder, rig, std::optional<RigCalibration>())
+{}
 
 TrinocularRecorder::TrinocularRecorder(const std::string& folder,
                                        const TrinocularRig& rig,
                                        const RigCalibration& calibration)
+: TrinocularRecorder(folder, rig, std::optional<RigCalibration>(calibration))
+{}
+
+TrinocularRecorder::TrinocularRecorder(const std::string& folder,
+                                       const TrinocularRig& rig,
+                                       const std::optional<RigCalibration>& cameras)
 : state_(new State(folder, rig))
 {
-  beginSession(folder, [&](const std::string& path) {
-    saveRigCalibration(path, rig, calibration);
+  state_->is_new_folder = beginSession(folder, [&](const std::string& path) {
+    if (cameras)
+      saveRigCalibration(path, rig, *cameras);
+    else
+      saveTrinocularRig(path, rig);
   });
 }
 
@@ -245,6 +255,19 @@ TrinocularRecorder::finish()
   summary.cameras = state_->cameras;
   acmap::saveSessionSummary(state_->folder, summary);
   state_->is_finished = true;
+}
+
+void
+TrinocularRecorder::discardIfEmpty()
+{
+  state_->waiting.waitForAll();
+  if (frames() > 0)
+    return;
+  state_->is_finished = true;
+  acmap::removeSessionFiles(state_->folder);
+  std::error_code error;
+  if (state_->is_new_folder)
+    std::filesystem::remove(state_->folder, error);
 }
 
 std::size_t

@@ -64,4 +64,19 @@ repeatedScene(const SimulatedScene& scene, std::size_t columns, std::size_t rows
   return all;
 }
 
+SimulatedObservation
+observeRepeated(const SimulatedScene& scene, std::size_t view, std::uint64_t seed)
+{
+  if (scene.views.empty())
+    throw acmap::BadArgument("a scene without views");
+  const std::size_t copy = view / scene.views.size();
+  SimulatedObservation observation =
+      observe(scene, view % scene.views.size(), seed + copy);
+  const auto first = static_cast<std::uint32_t>(copy * scene.geometry.planes().size());
+  for (ObservationPixel& pixel : observation.pixels)
+    if (pixel.label > 0)
+      pixel.label += first;
+  return observation;
+}
+
 } // namespace pcl

@@ -3,6 +3,10 @@
 #include "scene_text.h"
 
 #include <pcl/core/exceptions.h>
+#include <pcl/simulation/scene_file.h>
+
+#include <algorithm>
+#include <filesystem>
 
 namespace pcl {
 
@@ -21,13 +25,36 @@ standardSceneNames()
 SimulatedScene
 standardScene(const std::string& name)
 {
-  std::string known;
-  for (const acmap::StandardSceneText& scene : acmap::standardSceneTexts()) {
+  for (const acmap::StandardSceneText& scene : acmap::standardSceneTexts())
     if (name == scene.name)
       return acmap::readScene(acmap::parseYaml(name + ".yaml", scene.text));
-    known += std::string(known.empty() ? "" : ", ") + scene.name;
-  }
-  throw acmap::BadArgument("'" + name + "' is no standard scene; there are " + known);
+  throw acmap::BadArgument("'" + name + "' is no standard scene; there are " +
+                           acmap::listOfScenes());
 }
 
+SimulatedScene
+openSimulatedScene(const std::string& name_or_path)
+{
+  const std::vector<std::string>& names = standardSceneNames();
+  if (std::find(names.begin(), names.end(), name_or_path) != names.end())
+    return standardScene(name_or_path);
+  std::error_code error;
+  if (!std::filesystem::exists(name_or_path, error))
+    throw InputFileException(name_or_path + ": is no file, and no standard scene (" +
+                             acmap::listOfScenes() + ")");
+  return loadSimulatedScene(name_or_path);
+}
+
+namespace acmap {
+
+std::string
+listOfScenes()
+{
+  std::string list;
+  for (const std::string& name : standardSceneNames())
+    list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+} // namespace acmap
 } // namespace pcl

@@ -1,7 +1,7 @@
 #include <pcl/core/build_config.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/file_format.h>
-#include <pcl/core/output_file.h>
+#include <pcl/core/impl/json_text.h>
 #include <pcl/simulation/truth_file.h>
 
 #include <nlohmann/json.hpp>
@@ -87,16 +87,6 @@ addSensor(const SimulatedScene& scene, Json& json)
                    {"window", camera.window}};
 }
 
-void
-save(const std::string& path, const Json& json)
-{
-  const std::string text =
-      json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-  acmap::OutputFile file(path);
-  file.write(text.data(), text.size());
-  file.commit();
-}
-
 bool
 isMeasurable(const SimulatedTruth& truth, std::size_t pixel)
 {
@@ -154,7 +144,7 @@ saveFrameTruth(const std::string& path,
   json["noise"] = {{"read", light.read_noise}, {"shot", light.shot_noise}};
   json["points"] = points.all;
   json["planes"] = planesOf(scene, points);
-  save(path, json);
+  acmap::saveJson(path, json, 1);
 }
 
 void
@@ -169,7 +159,7 @@ saveCloudTruth(const std::string& path,
   json["points"] = points.all;
   addSensor(scene, json);
   json["planes"] = planesOf(building, points);
-  save(path, json);
+  acmap::saveJson(path, json, 1);
 }
 
 } // namespace pcl

@@ -151,6 +151,43 @@ RigCalibrator::addShot(const TrinocularFrame& frame,
   ++shots_;
 }
 
+namespace {
+
+/** \brief What weakens a calibration: residuals beyond what the matcher allows, few boards, and
+ * a part of the image without any. */
+std::vector<std::string>
+weaknessesOf(const RigCalibratorReport& calibrated)
+{
+  // limits for the matcher, and for a good session of boards; see doc/tutorials
+  constexpr double max_residual = 0.3; // px
+  constexpr std::size_t few_boards = 10;
+  constexpr double small_coverage = 0.4;
+  using acmap::shortNumber;
+  std::vector<std::string> remarks;
+  const auto residual = [&](const char* lines, double value) {
+    if (value > max_residual)
+      remarks.push_back(std::string(lines) + " are off by " + shortNumber(value) +
+                        " px; disparities need " + shortNumber(max_residual) +
+                        " or less: is the board flat, and were the shots sharp and "
+                        "taken at once?");
+  };
+  residual("rows", calibrated.row_residual);
+  residual("columns", calibrated.column_residual);
+  for (std::size_t i = 0; i < calibrated.boards.size(); ++i)
+    if (calibrated.boards[i] > 0 && calibrated.boards[i] < few_boards)
+      remarks.push_back(std::string("the ") + nameOf(static_cast<RigCamera>(i)) +
+                        " camera has only " + std::to_string(calibrated.boards[i]) +
+                        " good boards; 15 are advised");
+  if (calibrated.coverage < small_coverage)
+    remarks.push_back("the boards cover only " +
+                      shortNumber(100 * calibrated.coverage) +
+                      " % of the reference's image: lens and focal length are guessed "
+                      "there");
+  return remarks;
+}
+
+} // namespace
+
 /** \brief Intermediate data of a calibration. */
 struct RigCalibrator::Fit {
   Views views;
@@ -247,7 +284,9 @@ RigCalibrator::calibrate(RigCalibration& calibration, TrinocularRig& rig)
   report_.column_residual =
       residualOf(rectification, fit.views, RigCamera::Vertical, 0);
   report_.coverage = coverageOf(fit.views[0], fit.size);
-  report_.remarks = rectification.getReport().remarks;
+  report_.remarks = weaknessesOf(report_);
+  const std::vector<std::string>& more = rectification.getReport().remarks;
+  report_.remarks.insert(report_.remarks.end(), more.begin(), more.end());
   timer.finish("residuals");
   calibration = fit.found;
   rig = rectification.getRig();

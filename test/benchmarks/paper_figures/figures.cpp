@@ -2,7 +2,6 @@
 
 #include "exit_code.h"
 #include "figure_plan.h"
-#include "memory.h"
 #include "pictures/drawing.h"
 #include "tool.h"
 
@@ -16,6 +15,7 @@
 #include <pcl/core/output_folder.h>
 #include <pcl/core/planar_pose.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/core/process_memory.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/filters/voxel_consolidation.h>
 #include <pcl/pipeline/observation_files.h>

@@ -162,6 +162,14 @@ holdsSession(const std::string& folder)
   return !listFrames(folder).empty();
 }
 
+void
+removeSessionFiles(const std::string& folder)
+{
+  std::error_code error;
+  for (const char* const name : {summary_name, "rig.yaml"})
+    fs::remove(pathIn(folder, name), error);
+}
+
 std::string
 faultOfSize(const ImageRecord& image, const TrinocularRig& rig)
 {

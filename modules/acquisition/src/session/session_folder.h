@@ -59,6 +59,10 @@ listFrames(const std::string& folder);
 bool
 holdsSession(const std::string& folder);
 
+/** \brief Removes the files of a session that has no frames, as far as they are there. */
+void
+removeSessionFiles(const std::string& folder);
+
 /** \brief The reason why an image does not fit a rig; empty if it has the rig's
  * size. */
 std::string

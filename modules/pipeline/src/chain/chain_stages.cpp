@@ -506,10 +506,7 @@ runTexturing(ChainState& state,
     map.shift = state.cloud.file->shift;
   }
 
-  const FloorPlan plan = makeFloorPlan(map);
-  setRooms(plan, map);
-  nameSurfaces(plan, map);
-  judgeMap(plan, run, state);
+  judgeMap(nameParts(map), run, state);
   if (run.ranks && run.ranks->getNumberOfMessages() > 0) {
     state.report.ranks = run.ranks->size();
     state.report.rank_messages = run.ranks->getNumberOfMessages();

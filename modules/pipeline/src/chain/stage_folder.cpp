@@ -5,12 +5,11 @@
 #include <pcl/core/file_format.h>
 #include <pcl/core/impl/folder_entries.h>
 #include <pcl/core/impl/hidden_folder.h>
-#include <pcl/core/output_file.h>
+#include <pcl/core/impl/json_text.h>
 #include <pcl/pipeline/fingerprint.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 namespace pcl::acmap {
@@ -31,31 +30,13 @@ isResultName(const std::string& name)
   return isPlainName(is_picture ? name.substr(picture_folder.size()) : name);
 }
 
-/** \return a discarded value if there is no such file, it is no JSON, or nested deeper
- * than any run nests it */
-Json
-jsonIn(const fs::path& path)
-{
-  constexpr int deepest = 64; // copies are made recursively
-  bool is_too_deep = false;
-  std::ifstream file(path);
-  Json json = Json::parse(
-      file,
-      [&](int depth, Json::parse_event_t, const Json&) {
-        is_too_deep = is_too_deep || depth > deepest;
-        return !is_too_deep;
-      },
-      false);
-  return is_too_deep ? Json(Json::value_t::discarded) : json;
-}
-
 /** Reads stage.json of the folder.
  * \return a discarded value if it is missing or damaged
  * \throws OutputFileException when a newer version of acmap wrote it */
 Json
 readState(const fs::path& folder)
 {
-  const Json state = jsonIn(folder / state_name);
+  const Json state = readJson((folder / state_name).string());
   if (!state.is_object() || !state.contains("format") ||
       !state["format"].is_number_unsigned())
     return state;
@@ -66,17 +47,11 @@ readState(const fs::path& folder)
   return state;
 }
 
-std::string
-dumped(const Json& json, int indent = -1)
-{
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
 /** The JSON as it is read back from a file, with invalid UTF-8 replaced. */
 Json
 asWritten(const Json& json)
 {
-  return Json::parse(dumped(json));
+  return Json::parse(jsonText(json));
 }
 
 /** Names, sizes and times of files; a missing file has only a name. */
@@ -143,7 +118,7 @@ StageFolder::finished() const
       names.push_back(result.at(0).get<std::string>());
     if (resultsIn(result_folder_, names) != state.at("results"))
       return std::nullopt;
-    return StageNotes{dumped(state.at("told")),
+    return StageNotes{jsonText(state.at("told")),
                       state.at("remarks").get<std::vector<std::string>>()};
   }
   catch (const nlohmann::json::exception&) {
@@ -285,10 +260,7 @@ StageFolder::finish(const StageNotes& notes,
 void
 StageFolder::write(const Json& state) const
 {
-  const std::string text = dumped(state, 1) + "\n";
-  OutputFile file((fs::path(path_) / state_name).string());
-  file.write(text.data(), text.size());
-  file.commit();
+  saveJson((fs::path(path_) / state_name).string(), state, 1);
 }
 
 std::vector<std::string>
@@ -314,7 +286,7 @@ std::string
 stateOf(const std::string& folder, const std::vector<std::string>& names)
 {
   Fingerprint hash;
-  hash.add(dumped(filesStateOf(folder, names)));
+  hash.add(jsonText(filesStateOf(folder, names)));
   return hash.text();
 }
 

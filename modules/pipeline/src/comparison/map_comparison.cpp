@@ -4,6 +4,7 @@
 #include <pcl/core/planar_pose.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/pipeline/map_comparison.h>
+#include <pcl/pipeline/observation_files.h>
 
 #include <algorithm>
 #include <cmath>
@@ -197,6 +198,29 @@ compareWithTruth(const CompactMap& map,
   figures.from_first.ate_after =
       errorOf(trajectory.after, poses, T_truth_first).unaligned;
   return figures;
+}
+
+MapFigures
+compareWithTruth(const CompactMap& map,
+                 const ObservationSequence& observations,
+                 const Trajectory& before,
+                 const SessionTruth& truth)
+{
+  const std::vector<std::size_t> rows = trajectoryRows(
+      truth.trajectory_path, observations.names(), truth.trajectory.poses.size());
+  const Trajectory& after = map.trajectory;
+  MappedTrajectory mapped;
+  for (std::size_t i = 0, row = 0; i < observations.size() && row < after.poses.size();
+       ++i) {
+    if (observations.stamp(i) != after.stamps[row])
+      continue;
+    mapped.observations.push_back(rows[i]);
+    mapped.after.push_back(after.poses[row]);
+    mapped.before.push_back(before.poses.empty() ? after.poses[row]
+                                                 : before.poses.at(i));
+    ++row;
+  }
+  return compareWithTruth(map, mapped, truth);
 }
 
 } // namespace pcl

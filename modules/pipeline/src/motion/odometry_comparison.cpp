@@ -1,10 +1,12 @@
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/quantile.h>
 #include <pcl/core/planar_pose.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/pipeline/observation_files.h>
 #include <pcl/pipeline/odometry_comparison.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace pcl {
@@ -29,7 +31,51 @@ lengthOfPath(const std::vector<Eigen::Isometry3d>& poses)
   return length;
 }
 
+/** Median of a function over all pairs with a motion. */
+template <typename Function>
+double
+medianOfPairs(const VisualOdometryResult& found, const Function& function)
+{
+  std::vector<double> values;
+  for (const OdometryPair& pair : found.pairs)
+    if (pair.estimate)
+      values.push_back(static_cast<double>(function(pair)));
+  return acmap::medianOf(values);
+}
+
+/** \param[in] first,count of the rows of the covariance */
+double
+medianOfDeviations(const VisualOdometryResult& found, int first, int count)
+{
+  return medianOfPairs(found, [&](const OdometryPair& pair) {
+    return std::sqrt(pair.estimate->covariance.diagonal().segment(first, count).sum());
+  });
+}
+
 } // namespace
+
+OdometryFigures
+figuresOf(const VisualOdometryResult& found)
+{
+  std::vector<Eigen::Isometry3d> posed;
+  for (const auto& pose : found.poses)
+    if (pose)
+      posed.push_back(*pose);
+  OdometryFigures figures;
+  figures.length = lengthOfPath(posed);
+  figures.matches = medianOfPairs(
+      found, [](const OdometryPair& pair) { return pair.report.matches; });
+  figures.inliers = medianOfPairs(
+      found, [](const OdometryPair& pair) { return pair.report.inliers; });
+  for (const OdometryPair& pair : found.pairs)
+    figures.fits += pair.report.fits;
+  figures.translation = medianOfDeviations(found, 0, 3);
+  figures.rotation = medianOfDeviations(found, 3, 3);
+  figures.x = medianOfDeviations(found, 0, 1);
+  figures.z = medianOfDeviations(found, 2, 1);
+  figures.about_y = medianOfDeviations(found, 4, 1);
+  return figures;
+}
 
 OdometryComparison
 compareWithTruth(const VisualOdometryResult& run, std::vector<Eigen::Isometry3d> truth)

@@ -492,4 +492,13 @@ nameSurfaces(const FloorPlan& plan, CompactMap& map)
   SurfaceNaming(plan, map).nameAll();
 }
 
+FloorPlan
+nameParts(CompactMap& map)
+{
+  FloorPlan plan = makeFloorPlan(map);
+  setRooms(plan, map);
+  nameSurfaces(plan, map);
+  return plan;
+}
+
 } // namespace pcl

@@ -1,9 +1,9 @@
 #include "observations/cloud_folder.h"
 
-#include "observations/file_ending.h"
 #include "rgbd/image_folder.h"
 #include "rgbd/recorded_poses.h"
 #include "rgbd/text_rows.h"
+#include <pcl/core/impl/file_ending.h>
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>

@@ -1,5 +1,5 @@
-#include "observations/file_ending.h"
 #include "observations/folder_names.h"
+#include <pcl/core/impl/file_ending.h>
 
 #include <pcl/core/bag_file.h>
 #include <pcl/pipeline/input_kind.h>

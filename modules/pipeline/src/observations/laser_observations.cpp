@@ -70,6 +70,26 @@ observationsOf(std::vector<PlanarScan> scans, std::size_t every)
   return observations;
 }
 
+RectifiedLaser
+rectifyLaser(LaserObservations& observations,
+             const MapLevelling<PointNormal>& levelling,
+             EntropyRectification<PointNormal> rectification)
+{
+  RectifiedLaser found;
+  found.levelling =
+      levelObservations(levelling, observations, rectification.getNumberOfThreads());
+  rectification.setUpDirection(found.levelling.axis);
+  for (std::size_t i = 0; i < observations.clouds.size(); ++i)
+    rectification.addPointCloud(observations.clouds[i],
+                                observations.trajectory.poses[i],
+                                observations.weights[i]);
+  rectification.compute();
+  found.report = rectification.getReport();
+  for (std::size_t i = 0; i < rectification.getNumberOfPointClouds(); ++i)
+    found.poses.push_back(rectification.getPose(i));
+  return found;
+}
+
 CloudRows
 echoesOf(const LaserObservations& observations,
          const std::vector<Eigen::Isometry3d>& poses,

@@ -1,7 +1,7 @@
-#include "observations/file_ending.h"
 #include "rgbd/foreign_layouts.h"
 #include "rgbd/image_folder.h"
 #include "rgbd/text_rows.h"
+#include <pcl/core/impl/file_ending.h>
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>

@@ -1,7 +1,7 @@
 #include "observations/cloud_folder.h"
-#include "observations/file_ending.h"
 #include "observations/observation_cache.h"
 #include "rgbd/rgbd_reader.h"
+#include <pcl/core/impl/file_ending.h>
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/byte_parcel.h>

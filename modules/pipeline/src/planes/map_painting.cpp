@@ -3,7 +3,6 @@
 #include <pcl/pipeline/map_painting.h>
 #include <pcl/pipeline/ranked_work.h>
 #include <pcl/pipeline/surface_names.h>
-#include <pcl/texture/floor_plan.h>
 
 #include <algorithm>
 #include <optional>
@@ -39,14 +38,6 @@ paint(PlaneTexturing<PointXYZRGB>& texturing,
   map.boxes = surfaces.boxes;
   map.recesses = surfaces.recesses;
   map.shift = surfaces.shift;
-}
-
-void
-nameParts(CompactMap& map)
-{
-  const FloorPlan plan = makeFloorPlan(map);
-  setRooms(plan, map);
-  nameSurfaces(plan, map);
 }
 
 void

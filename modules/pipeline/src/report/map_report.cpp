@@ -6,6 +6,7 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/fields_json.h>
 #include <pcl/core/file_format.h>
+#include <pcl/core/impl/json_text.h>
 #include <pcl/core/output_file.h>
 #include <pcl/pipeline/compact_mapping_types.h>
 #include <pcl/pipeline/map_report.h>
@@ -20,31 +21,6 @@ namespace pcl {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int deepest_report = 64; // the page is made recursively
-
-/** \brief Discarded if the text is no JSON, or nested deeper than any report. */
-Json
-parsedReport(const std::string& text)
-{
-  bool is_too_deep = false;
-  Json json = Json::parse(
-      text,
-      [&](int depth, Json::parse_event_t, const Json&) {
-        is_too_deep = is_too_deep || depth > deepest_report;
-        return !is_too_deep;
-      },
-      false);
-  return is_too_deep ? Json(Json::value_t::discarded) : json;
-}
-
-/** \brief In one line; names may be invalid UTF-8, and numbers infinite: they become
- * U+FFFD and null. */
-std::string
-lineOfJson(const Json& json)
-{
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 Json
 stageOf(const char* name, const Report& report, Json details)
@@ -68,10 +44,10 @@ rectificationStage(const EntropyRectificationReport& report)
 MapReport::MapReport(std::string text)
 : text_(std::move(text))
 {
-  const Json json = parsedReport(text_);
+  const Json json = acmap::parsedJson(text_);
   if (json.is_discarded())
     throw acmap::BadArgument("the report of a map is no JSON");
-  text_ = lineOfJson(json);
+  text_ = acmap::jsonText(json);
 }
 
 MapReport::MapReport(const CompactMap& map, const CompactMappingReport& report)
@@ -92,13 +68,13 @@ MapReport::MapReport(const CompactMap& map, const CompactMappingReport& report)
   if (report.rectification)
     json["stages"].push_back(rectificationStage(*report.rectification));
   json["stages"].push_back(stageOf("map", report, std::move(details)));
-  text_ = lineOfJson(json);
+  text_ = acmap::jsonText(json);
 }
 
 std::string
 MapReport::page(const std::string& folder) const
 {
-  return acmap::reportPage(parsedReport(text_), folder);
+  return acmap::reportPage(acmap::parsedJson(text_), folder);
 }
 
 void
@@ -113,7 +89,7 @@ MapReport::savePage(const std::string& path, const std::string& folder) const
 std::vector<std::pair<std::string, std::string>>
 MapReport::summary() const
 {
-  return acmap::closingLines(parsedReport(text_));
+  return acmap::closingLines(acmap::parsedJson(text_));
 }
 
 MapReport
@@ -136,13 +112,13 @@ namespace acmap {
 std::string
 mapDetailsText(const CompactMap& map)
 {
-  return lineOfJson(detailsOfMap(map));
+  return jsonText(detailsOfMap(map));
 }
 
 std::string
 planDetailsText(const CompactMap& map, const FloorPlan& plan)
 {
-  return lineOfJson(detailsOfPlan(map, plan));
+  return jsonText(detailsOfPlan(map, plan));
 }
 
 } // namespace acmap

@@ -1,6 +1,6 @@
 #include "rgbd/foreign_layouts.h"
 
-#include "observations/file_ending.h"
+#include <pcl/core/impl/file_ending.h>
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/folder_entries.h>

@@ -1,9 +1,9 @@
 #include "rgbd/image_folder.h"
 
-#include "observations/file_ending.h"
 #include "rgbd/camera_path.h"
 #include "rgbd/foreign_layouts.h"
 #include "rgbd/stamp_matching.h"
+#include <pcl/core/impl/file_ending.h>
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/folder_entries.h>

@@ -1,7 +1,7 @@
 #include "rgbd/recorded_poses.h"
 
-#include "observations/file_ending.h"
 #include "rgbd/camera_path.h"
+#include <pcl/core/impl/file_ending.h>
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/folder_entries.h>

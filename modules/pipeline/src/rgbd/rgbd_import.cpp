@@ -1,5 +1,6 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/cloud_fields.h>
+#include <pcl/core/impl/size_text.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/observation_writing.h>
@@ -61,6 +62,45 @@ private:
   std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(65536);
 };
 
+void
+noteCenter(const std::string& name,
+           const Pinhole& camera,
+           const ImageSize& size,
+           const std::string& option,
+           std::vector<std::string>& remarks)
+{
+  if (std::abs(2 * camera.cx - size.width) > 0.5 * size.width ||
+      std::abs(2 * camera.cy - size.height) > 0.5 * size.height)
+    remarks.push_back(
+        "the " + name + "'s principal point " + acmap::shortNumber(camera.cx) + ", " +
+        acmap::shortNumber(camera.cy) + " is far from the middle of images of " +
+        acmap::sizeText(size) + " pixels; " + option + " names another");
+}
+
+std::vector<std::string>
+remarksOn(const RgbdImport& import, const RgbdCameras& cameras)
+{
+  std::vector<std::string> remarks;
+  noteCenter("camera", cameras.depth, import.sizes.depth, "--intrinsics", remarks);
+  if (cameras.color)
+    noteCenter("colour camera",
+               cameras.color->pinhole,
+               import.sizes.color,
+               "--color-camera",
+               remarks);
+  constexpr double farthest_pose = 1000; // metres; their unit is then probably wrong
+  double farthest = 0;
+  for (const Eigen::Isometry3d& T_map_camera : import.trajectory.poses)
+    farthest = std::max(farthest, T_map_camera.translation().norm());
+  if (farthest > farthest_pose)
+    remarks.push_back("the camera moves " + acmap::shortNumber(farthest) +
+                      " m away from its first place: are the poses in metres?");
+  if (import.empty > 0)
+    remarks.push_back(std::to_string(import.empty) +
+                      " observations have no point at all");
+  return remarks;
+}
+
 /** Converts the frames of a recording, one after another. */
 class RgbdImporter {
 public:
@@ -112,6 +152,7 @@ public:
     import_.finite_share =
         pixels > 0 ? static_cast<double>(import_.points) / pixels : 0;
     import_.median_depth = import_.points > 0 ? depths_.median() : 0;
+    import_.remarks = remarksOn(import_, cameras_);
     return std::move(import_);
   }
 

@@ -1,9 +1,9 @@
-#include "observations/file_ending.h"
 #include "observations/folder_names.h"
 #include "rgbd/foreign_layouts.h"
 #include "rgbd/image_sizes.h"
 #include "rgbd/layouts.h"
 #include "rgbd/text_rows.h"
+#include <pcl/core/impl/file_ending.h>
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/size_text.h>

@@ -1,6 +1,7 @@
 #include <pcl/core/calibration_file.h>
 #include <pcl/core/exceptions.h>
 #include <pcl/core/image_file.h>
+#include <pcl/pipeline/rgbd_assessment.h>
 #include <pcl/pipeline/rgbd_statement.h>
 
 namespace pcl {
@@ -64,6 +65,28 @@ camerasOf(const RgbdStatement& stated, const RgbdSequence& sequence, DepthSensor
                      stated.max_depth};
   cameras.sensor = sensor;
   return cameras;
+}
+
+std::vector<std::string>
+rgbdRemarks(const RgbdStatement& stated,
+            const RgbdSequence& sequence,
+            const RgbdCameras& cameras)
+{
+  std::vector<std::string> remarks = sequence.remarks;
+  if (!cameras.color && !sequence.is_registered && !stated.is_registered)
+    remarks.emplace_back(
+        "the camera of the colours is not known: took them pixel by pixel as the "
+        "depths; --color-camera names it, --registered says that this is right");
+  const auto count = [&](std::size_t frames, const std::string& fault) {
+    if (frames > 0)
+      remarks.push_back(std::to_string(frames) + fault);
+  };
+  count(sequence.unmatched,
+        " depth images left out: no colour image was taken near them");
+  count(sequence.unposed, " frames left out: no pose is known near them");
+  for (const std::string& remark : assessRgbd(sequence, cameras).remarks)
+    remarks.push_back(remark);
+  return remarks;
 }
 
 } // namespace pcl

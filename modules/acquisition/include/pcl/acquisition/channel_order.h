@@ -19,6 +19,11 @@ using ChannelOrder = std::array<RigCamera, 3>;
 ACMAP_EXPORT std::string
 textOf(const ChannelOrder& order);
 
+/** \brief Reads what \ref textOf has written, or the first letters of the cameras: `r,h,v`.
+ * \throws BadArgumentException for other texts \ingroup acquisition */
+ACMAP_EXPORT ChannelOrder
+channelOrderIn(const std::string& text);
+
 /** \brief Result of \ref checkChannelOrder. \ingroup acquisition */
 struct ChannelOrderCheck {
   /** \brief The order under which the largest number of corners was found again. The

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace pcl {
@@ -52,6 +53,13 @@ public:
                      const TrinocularRig& rig,
                      const RigCalibration& calibration);
 
+  /** \brief Begins a session of either.
+   * \param[in] cameras nothing for rectified frames
+   * \throws as above */
+  TrinocularRecorder(const std::string& folder,
+                     const TrinocularRig& rig,
+                     const std::optional<RigCalibration>& cameras);
+
   /** \brief Writes the waiting frames. Does not finish the session. */
   ~TrinocularRecorder();
 
@@ -86,6 +94,11 @@ public:
    * written completely; the session is then not finished */
   void
   finish();
+
+  /** \brief Ends a session without frames by removing its files, and the folder if it was
+   * created: nothing would read it, and it would be in the way of the next session. */
+  void
+  discardIfEmpty();
 
   /** \brief Number of frames that were written. */
   std::size_t

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/core/build_config.h>
+#include <pcl/core/process_memory.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,6 +19,16 @@ namespace pcl {
  * \ingroup pipeline */
 using CostCallback =
     std::function<void(const std::string& work, std::size_t bytes, double seconds)>;
+
+/** \brief Refuses steps for which there is not enough memory (\ref acmap::requireMemory).
+ * \ingroup pipeline */
+inline CostCallback
+memoryCheck()
+{
+  return [](const std::string& work, std::size_t bytes, double) {
+    acmap::requireMemory(bytes, work);
+  };
+}
 
 namespace acmap {
 

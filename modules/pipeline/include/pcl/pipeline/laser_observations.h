@@ -3,8 +3,11 @@
 #include <pcl/core/cloud_rows.h>
 #include <pcl/core/export.h>
 #include <pcl/core/planar_scan.h>
+#include <pcl/mapping/entropy_rectification.h>
+#include <pcl/mapping/map_levelling.h>
 #include <pcl/pipeline/cost_callback.h>
 #include <pcl/pipeline/sequence_consolidation.h>
+#include <pcl/point_types.h>
 
 #include <Eigen/Geometry>
 
@@ -28,16 +31,33 @@ struct LaserObservations : ConsolidatedObservations {
  * represent, with the poses of the scans. Where stamps do not grow, they become the numbers
  * of the scans.
  * \code
- * const pcl::LaserObservations seen = pcl::observationsOf (pcl::loadCarmenLog ("a.log").scans);
- * pcl::EntropyRectification<pcl::PointNormal> rectification;
- * for (std::size_t i = 0; i < seen.clouds.size (); ++i)
- *   rectification.addPointCloud (seen.clouds[i], seen.trajectory.poses[i], seen.weights[i]);
- * rectification.compute ();
+ * pcl::LaserObservations seen = pcl::observationsOf (pcl::loadCarmenLog ("a.log").scans);
+ * pcl::MapLevelling<pcl::PointNormal> levelling;
+ * levelling.setUpDirection (-Eigen::Vector3d::UnitY ());
+ * const pcl::RectifiedLaser straight = pcl::rectifyLaser (seen, levelling, {});
+ * pcl::saveCorrectedLog ("corrected.log", seen, straight.poses);
  * \endcode
  * \param[in] every take only each n-th scan; 0 is taken as 1
  * \throws BadArgumentException when an angle is not finite \ingroup pipeline */
 ACMAP_EXPORT LaserObservations
 observationsOf(std::vector<PlanarScan> scans, std::size_t every = 1);
+
+/** \brief What a rectification of laser observations has found. \ingroup pipeline */
+struct RectifiedLaser {
+  MapLevellingReport levelling;
+  EntropyRectificationReport report;
+  std::vector<Eigen::Isometry3d> poses; ///< T_map_laser of each observation
+};
+
+/** \brief Levels and rectifies the poses of laser observations.
+ * \param[in,out] observations level afterwards
+ * \param[in] levelling with the vertical, if it is known; that of a CARMEN log is -y
+ * \param[in] rectification without clouds; with its threads and its progress
+ * \throws what the two classes throw \ingroup pipeline */
+ACMAP_EXPORT RectifiedLaser
+rectifyLaser(LaserObservations& observations,
+             const MapLevelling<PointNormal>& levelling,
+             EntropyRectification<PointNormal> rectification);
 
 /** \brief The echoes of all observations under new poses as one cloud, which is that of a
  * map: x y z and `view`, the number of the observation.

@@ -2,12 +2,14 @@
 
 #include <pcl/core/compact_map.h>
 #include <pcl/core/export.h>
+#include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/session_truth.h>
 
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -65,4 +67,28 @@ compareWithTruth(const CompactMap& map,
                  const MappedTrajectory& trajectory,
                  const SessionTruth& truth);
 
+/** \brief The same for observations with poses, such as those of \ref acmap::Chain; their names
+ * tell which of the session they are. A map may have left some of them out: those whose time it
+ * does not have.
+ * \param[in] before one pose per observation; empty: those of the map
+ * \throws InputFileException also when an observation has no true pose */
+ACMAP_EXPORT MapFigures
+compareWithTruth(const CompactMap& map,
+                 const ObservationSequence& observations,
+                 const Trajectory& before,
+                 const SessionTruth& truth);
+
+namespace acmap {
+
+/** \brief The figures in a report, a JSON object: those of `aligned`, "compactness", "planes" and
+ * "from_first"; null where nothing was found. */
+ACMAP_EXPORT std::string
+truthDetailsText(const MapFigures& figures);
+
+/** \brief The figures as lines of a summary, name and value; without the compactness, which
+ * every map has. */
+ACMAP_EXPORT std::vector<std::pair<std::string, std::string>>
+truthSummary(const MapFigures& figures);
+
+} // namespace acmap
 } // namespace pcl

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,26 @@ struct OdometryComparison {
 ACMAP_EXPORT OdometryComparison
 compareWithTruth(const VisualOdometryResult& found,
                  std::vector<Eigen::Isometry3d> truth);
+
+/** \brief What an odometry tells of itself, without a truth: medians over all pairs with a
+ * motion. \ingroup pipeline */
+struct OdometryFigures {
+  double length = 0;    ///< of the path through all posed observations, metres
+  double matches = 0;   ///< of a pair, by appearance
+  double inliers = 0;   ///< of these, those that agree on its motion
+  std::size_t fits = 0; ///< of all pairs
+  /** \brief Estimated standard deviations of a motion: metres, radians. */
+  double translation = 0, rotation = 0;
+  double x = 0, z = 0, about_y = 0; ///< the same for each axis of a planar motion
+};
+
+/** \code
+ * const pcl::OdometryFigures figures = pcl::figuresOf (odometry.compute (sequence));
+ * std::cout << figures.length << " m, " << 1000 * figures.translation << " mm a pair\n";
+ * \endcode
+ * \return zeros if no pair has a motion \ingroup pipeline */
+ACMAP_EXPORT OdometryFigures
+figuresOf(const VisualOdometryResult& found);
 
 /** \brief Reads one true pose for each observation, metres. If the number of rows differs
  * from that of the observations, rows are selected by the numbers in the names: rows that

@@ -38,6 +38,9 @@ struct RgbdImport {
   std::size_t empty = 0;           ///< observations without a point
   std::size_t refined = 0;         ///< observations whose depth was quantised
   std::vector<std::string> broken; ///< reasons why frames were left out
+  /** \brief What is odd: principal points far from the middle, poses that exceed buildings,
+   * observations without a point. */
+  std::vector<std::string> remarks;
 };
 
 /** \brief Writes the frames of an RGB-D recording as a sequence of observations: organized

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl {
 
@@ -48,5 +49,12 @@ camerasOf(const RgbdStatement& stated,
  * \throws BadArgumentException without frames \ingroup pipeline */
 ACMAP_EXPORT ImageSize
 depthSizeOf(const RgbdSequence& sequence);
+
+/** \brief What is assumed of a recording, and what its images and lists contradict: remarks,
+ * each once with what states another. \ingroup pipeline */
+ACMAP_EXPORT std::vector<std::string>
+rgbdRemarks(const RgbdStatement& stated,
+            const RgbdSequence& sequence,
+            const RgbdCameras& cameras);
 
 } // namespace pcl

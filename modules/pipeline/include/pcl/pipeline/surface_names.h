@@ -27,4 +27,10 @@ namespace pcl {
 ACMAP_EXPORT void
 nameSurfaces(const FloorPlan& plan, CompactMap& map);
 
+/** \brief The same for a map that has no plan yet: makes it, and gives the map its rooms.
+ * \param[in,out] map complete but for its names and rooms
+ * \return the plan \ingroup pipeline */
+ACMAP_EXPORT FloorPlan
+nameParts(CompactMap& map);
+
 } // namespace pcl

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <pcl/core/export.h>
+#include <pcl/simulation/simulated_observation.h>
 #include <pcl/simulation/simulated_scene.h>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace pcl {
 
@@ -16,5 +18,13 @@ namespace pcl {
  * \throws BadArgumentException for no columns or rows \ingroup simulation */
 ACMAP_EXPORT SimulatedScene
 repeatedScene(const SimulatedScene& scene, std::size_t columns, std::size_t rows);
+
+/** \brief Measures a view of a \ref repeatedScene, each copy with noise of its own. The copies do
+ * not see each other, so that one scene is enough; labels are those of the building.
+ * \param[in] scene without its copies
+ * \param[in] view of the building
+ * \throws what \ref observe does \ingroup simulation */
+ACMAP_EXPORT SimulatedObservation
+observeRepeated(const SimulatedScene& scene, std::size_t view, std::uint64_t seed);
 
 } // namespace pcl

@@ -21,4 +21,18 @@ standardSceneNames();
 ACMAP_EXPORT SimulatedScene
 standardScene(const std::string& name);
 
+/** \brief Opens a standard scene by its name, or else a scene file.
+ * \throws InputFileException if there is no such file, listing the names, or it is malformed
+ * \ingroup simulation */
+ACMAP_EXPORT SimulatedScene
+openSimulatedScene(const std::string& name_or_path);
+
+namespace acmap {
+
+/** \brief The names as "a, b, c", for messages. */
+ACMAP_EXPORT std::string
+listOfScenes();
+
+} // namespace acmap
+
 } // namespace pcl
