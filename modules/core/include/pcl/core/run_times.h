@@ -7,7 +7,7 @@
 
 namespace pcl {
 
-/** \brief The times of the last run of a kind on this machine, for \ref ProgressBar::draw: from
+/** \brief The times of the last run of a kind on this machine, for a \ref ProgressBar, from
  * the user's folder for caches, `$XDG_CACHE_HOME/acmap` or `$HOME/.cache/acmap`. Empty if there
  * are none, or they cannot be read. \ingroup core */
 ACMAP_EXPORT RunTimes
