@@ -175,9 +175,11 @@ distancesOfMap(const std::string& session, const std::string& kind, int seed)
   const test::TemporaryFolder folder;
   const std::string views = folder.path("views"), map = folder.path("map");
   writeFaulty(views, session, driftOf(kind), seed);
-  test::runTool(ACMAP_COMPACT_MAPPING,
-                {views, "-o", map, "--no-pictures", "--formats", "svg"})
-      .succeeded();
+  std::vector<std::string> arguments = {
+      views, "-o", map, "--no-pictures", "--formats", "svg"};
+  for (const std::string& option : wordsOf("ACMAP_DISTANCE_OPTIONS", ""))
+    arguments.push_back(option);
+  test::runTool(ACMAP_COMPACT_MAPPING, arguments).succeeded();
   std::vector<Told> told = distancesOf(map, session);
   for (Told& one : told)
     one.drift = kind;
@@ -199,7 +201,8 @@ savePairs(const std::vector<Told>& told, const std::string& scene, int seed)
 
 /** Maps scenes (ACMAP_DISTANCE_SCENES) of ACMAP_DISTANCE_SEEDS seeds (default 3) from
  * ACMAP_DISTANCE_SEED (default 1) on, with each kind of drift (ACMAP_DISTANCE_KINDS). With
- * ACMAP_DISTANCE_SMALL=1 the images are small, which takes a quarter of the time. */
+ * ACMAP_DISTANCE_SMALL=1 the images are small, which takes a quarter of the time. The tool gets
+ * ACMAP_DISTANCE_OPTIONS, too. */
 void
 printDistances()
 {
