@@ -114,5 +114,31 @@ TEST(MapRows, EveryNthBeginsWithTheFirst)
   }
 }
 
+TEST(MapRows, AreMovedWithTheirNormals)
+{
+  PointCloud<PointXYZRGBNormal> cloud(1, 1);
+  cloud[0].x = 1;
+  cloud[0].y = 2;
+  cloud[0].z = 3;
+  cloud[0].normal_x = 1;
+  cloud[0].rgba = 7;
+  PointCloud<Normal> normals(1, 1);
+  normals[0].normal_x = 1;
+  PCLPointCloud2 points, directions;
+  toPCLPointCloud2(cloud, points);
+  toPCLPointCloud2(normals, directions);
+  Eigen::Isometry3d motion(Eigen::Translation3d(10, 0, 0));
+  motion.rotate(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));
+  fromPCLPointCloud2(movedRows(motion, CloudRows::of(points)).copy(), cloud);
+  EXPECT_LT((cloud[0].getVector3fMap() - Eigen::Vector3f(8, 1, 3)).norm(), 1e-6);
+  EXPECT_LT((cloud[0].getNormalVector3fMap() - Eigen::Vector3f::UnitY()).norm(), 1e-6);
+  EXPECT_EQ(cloud[0].rgba, 7u);
+  fromPCLPointCloud2(movedRows(motion, CloudRows::of(directions)).copy(), normals);
+  EXPECT_LT((normals[0].getNormalVector3fMap() - Eigen::Vector3f::UnitY()).norm(),
+            1e-6);
+  const CloudRows given = CloudRows::of(points);
+  EXPECT_EQ(movedRows(Eigen::Isometry3d::Identity(), given).data(), given.data());
+}
+
 } // namespace
 } // namespace pcl::acmap::test

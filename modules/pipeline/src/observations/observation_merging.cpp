@@ -81,7 +81,8 @@ ObservationMerging::add(const ObservationSequence& sequence,
           refineQuantisedDepth(seen.file, sensor_, threads_);
       merged.refined += refined != seen.file ? 1 : 0;
       merged.are_colored = merged.are_colored && acmap::findColor(seen.file->cloud);
-      const Eigen::Isometry3d pose = acmap::roundedPose(T_cloud_map_ * seen.T_map_camera);
+      const Eigen::Isometry3d pose =
+          acmap::roundedPose(T_cloud_map_ * seen.T_map_camera);
       rows.append(*refined, pose, static_cast<std::int32_t>(merged.poses.size()));
       merged.poses.push_back(pose);
     }

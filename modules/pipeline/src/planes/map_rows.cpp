@@ -187,6 +187,8 @@ putMapRows(const CloudRows& cloud,
 CloudRows
 movedRows(const Eigen::Isometry3d& T_to_from, const CloudRows& rows)
 {
+  if (T_to_from.matrix().isIdentity(0))
+    return rows;
   const PCLPointField* const x = findField(rows.layout(), "x");
   const PCLPointField* const normal_x = findField(rows.layout(), "normal_x");
   const PointView points = x ? requirePoints(rows) : PointView();
