@@ -1,3 +1,4 @@
+#include "noise/best_split.h"
 #include "noise/point_sample.h"
 
 #include <pcl/core/impl/depth_view.h>
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace pcl::acmap {
@@ -256,6 +258,13 @@ measureRangeNoise(const PointView& points,
   return bins.finish();
 }
 
+/** A window that is plane. */
+struct PlaneWindow {
+  Eigen::Vector3d place; ///< its middle, metres
+  double thickness;      ///< edges of a voxel
+  bool is_row;           ///< are its points along a line?
+};
+
 /** Results of the windows of one scale. Metres. */
 struct ScaleLevel {
   double edge = 0;
@@ -265,7 +274,7 @@ struct ScaleLevel {
   double sparse_spacing = 0;
   double occupancy = 0;    ///< points per voxel
   double planar_share = 0; ///< share of the windows with a surface that are planar
-  std::size_t planes = 0;
+  std::vector<PlaneWindow> planes;
 };
 
 /** Mean of the middle half of the values: as robust as the median, and stable if a view
@@ -307,7 +316,7 @@ passesThroughMiddle(const PlaneFit& fit)
 }
 
 struct WindowFigures {
-  std::vector<double> thickness;
+  std::vector<PlaneWindow> planes;
   std::vector<double> spacing;
   double area = 0; // voxel faces
   std::size_t surfaces = 0;
@@ -332,6 +341,7 @@ coveredArea(const std::vector<WindowPart>& parts, const Eigen::Vector3d& normal)
 
 void
 measureWindow(const VoxelMoments& voxels,
+              VoxelKey middle,
               const std::vector<WindowPart>& parts,
               WindowFigures& figures)
 {
@@ -347,8 +357,31 @@ measureWindow(const VoxelMoments& voxels,
   figures.area += 1 / fit.normal.cwiseAbs().sum();
   if (!fit.isPlanar())
     return;
-  figures.thickness.push_back(fit.thickness());
+  constexpr double narrow = 0.1;
+  figures.planes.push_back({voxels.lattice.center(placeOf(middle)),
+                            fit.thickness(),
+                            fit.variances[1] < narrow * fit.variances[2]});
   figures.spacing.push_back(std::sqrt(coveredArea(parts, fit.normal) / fit.count));
+}
+
+/** Thicknesses in edges of a voxel. */
+std::vector<double>
+thicknessesOf(const std::vector<PlaneWindow>& planes)
+{
+  std::vector<double> thicknesses;
+  for (const PlaneWindow& plane : planes)
+    thicknesses.push_back(plane.thickness);
+  return thicknesses;
+}
+
+/** Sets the thickness of a level to that of its planes. */
+void
+setThickness(ScaleLevel& level)
+{
+  std::vector<double> thicknesses = thicknessesOf(level.planes);
+  level.thickness = midmean(thicknesses) * level.edge;
+  level.thinner = std::min(level.thickness, orderAt(thicknesses, -1) * level.edge);
+  level.thicker = std::max(level.thickness, orderAt(thicknesses, 1) * level.edge);
 }
 
 ScaleLevel
@@ -364,22 +397,22 @@ measureLevel(const VoxelMoments& voxels)
         WindowFigures figures;
         VoxelWindows::Cursor cursor(windows, 1);
         for (std::size_t v = (begin + step - 1) / step * step; v < end; v += step)
-          measureWindow(voxels, cursor.moveTo(v), figures);
+          measureWindow(voxels,
+                        voxelOf(voxels.cells[windows.firstCell(v)].key),
+                        cursor.moveTo(v),
+                        figures);
         return figures;
       },
       [](WindowFigures& sum, const WindowFigures& next) {
-        sum.thickness.insert(
-            sum.thickness.end(), next.thickness.begin(), next.thickness.end());
+        sum.planes.insert(sum.planes.end(), next.planes.begin(), next.planes.end());
         sum.spacing.insert(sum.spacing.end(), next.spacing.begin(), next.spacing.end());
         sum.area += next.area;
         sum.surfaces += next.surfaces;
       });
   ScaleLevel level;
   level.edge = voxels.lattice.edge();
-  level.planes = all.thickness.size();
-  level.thickness = midmean(all.thickness) * level.edge;
-  level.thinner = std::min(level.thickness, orderAt(all.thickness, -1) * level.edge);
-  level.thicker = std::max(level.thickness, orderAt(all.thickness, 1) * level.edge);
+  level.planes = std::move(all.planes);
+  setThickness(level);
   level.sparse_spacing = quantileOf(all.spacing, 0.75) * level.edge;
   double points = 0;
   for (const VoxelCell& cell : voxels.cells)
@@ -391,7 +424,7 @@ measureLevel(const VoxelMoments& voxels)
       points / static_cast<double>(std::max<std::size_t>(windows.size(), 1));
   if (all.surfaces > 0)
     level.planar_share =
-        static_cast<double>(level.planes) / static_cast<double>(all.surfaces);
+        static_cast<double>(level.planes.size()) / static_cast<double>(all.surfaces);
   return level;
 }
 
@@ -401,7 +434,7 @@ bool
 holdsItsNoise(const ScaleLevel& level)
 {
   constexpr std::size_t enough_planes = 8;
-  return level.planes >= enough_planes && level.edge >= 3 * level.thickness;
+  return level.planes.size() >= enough_planes && level.edge >= 3 * level.thickness;
 }
 
 bool
@@ -456,6 +489,107 @@ isPlateau(const ScaleLevel& fine, const ScaleLevel& coarse)
          coarse.planar_share >= min_share * fine.planar_share;
 }
 
+/** The window of this scale that is nearest to a place. */
+const PlaneWindow&
+nearestTo(const Eigen::Vector3d& place, const std::vector<PlaneWindow>& planes)
+{
+  return *std::min_element(
+      planes.begin(), planes.end(), [&](const PlaneWindow& a, const PlaneWindow& b) {
+        return (a.place - place).squaredNorm() < (b.place - place).squaredNorm();
+      });
+}
+
+/** Logarithms of the thicknesses of the windows of a level that see more than a row of
+ * points, metres; sorted. */
+std::vector<double>
+logThicknessesOf(const ScaleLevel& level)
+{
+  std::vector<double> logs;
+  for (const PlaneWindow& plane : level.planes)
+    if (!plane.is_row)
+      logs.push_back(
+          std::log(std::max(plane.thickness * level.edge, roundingOf(level))));
+  std::sort(logs.begin(), logs.end());
+  return logs;
+}
+
+bool
+isThin(const PlaneWindow& plane, const ScaleLevel& level, double limit)
+{
+  return plane.thickness * level.edge <= limit;
+}
+
+/** Do thin windows of the finest scale lie where the thick ones of a coarse one are? Where
+ * the noise is greater, there are none. */
+bool
+areMixed(const ScaleLevel& finest, const ScaleLevel& coarse, double limit)
+{
+  constexpr double enough = 0.25;
+  std::size_t thick = 0, mixed = 0;
+  for (const PlaneWindow& plane : coarse.planes)
+    if (!isThin(plane, coarse, limit)) {
+      ++thick;
+      mixed += isThin(nearestTo(plane.place, finest.planes), finest, limit);
+    }
+  return static_cast<double>(mixed) >= enough * static_cast<double>(thick);
+}
+
+/** The largest thickness, metres, of windows of a coarse scale without steps of the surface,
+ * as those of the windows of a facade, if others have steps: the windows are of two kinds, and
+ * the thin ones are as thin as at the finest scale. */
+std::optional<double>
+limitOfSteps(const ScaleLevel& finest, const ScaleLevel& coarse)
+{
+  constexpr double growth = 1.3, thicker = 4, left = 0.2, fewest = 0.2;
+  constexpr std::size_t enough_planes = 40;
+  const std::vector<double> fine_logs = logThicknessesOf(finest);
+  const std::vector<double> logs = logThicknessesOf(coarse);
+  if (std::min(fine_logs.size(), logs.size()) < enough_planes)
+    return std::nullopt;
+  const Split split = bestSplit(logs);
+  const double thin = std::exp(logs[split.first / 2]);
+  const double thick = std::exp(logs[(split.first + logs.size()) / 2]);
+  if (split.left > left || thick < thicker * thin ||
+      static_cast<double>(split.first) < fewest * static_cast<double>(logs.size()))
+    return std::nullopt;
+  const auto fine_first = static_cast<std::size_t>(
+      std::upper_bound(fine_logs.begin(), fine_logs.end(), logs[split.first - 1]) -
+      fine_logs.begin());
+  const double fine_thin = std::exp(fine_logs[fine_first / 2]);
+  const double limit = std::exp(logs[split.first - 1]);
+  if (fine_first == 0 || thin > growth * fine_thin || finest.edge < 3 * fine_thin ||
+      !areMixed(finest, coarse, limit))
+    return std::nullopt;
+  return limit;
+}
+
+void
+keepThin(double limit, ScaleLevel& level)
+{
+  const auto all = static_cast<double>(level.planes.size());
+  level.planes.erase(std::remove_if(level.planes.begin(),
+                                    level.planes.end(),
+                                    [&](const PlaneWindow& plane) {
+                                      return !isThin(plane, level, limit);
+                                    }),
+                     level.planes.end());
+  level.planar_share *= static_cast<double>(level.planes.size()) / all;
+  setThickness(level);
+}
+
+/** Leaves out the windows with steps, of the two coarsest scales.
+ * \return are there any? */
+bool
+leaveOutSteps(std::vector<ScaleLevel>& levels)
+{
+  const std::optional<double> limit = limitOfSteps(levels.front(), levels.back());
+  if (limit) {
+    keepThin(*limit, *(levels.end() - 2));
+    keepThin(*limit, levels.back());
+  }
+  return limit.has_value();
+}
+
 /** Has the scale passed from the surfaces to what they enclose? Few windows are planar
  * then, although many were at a finer scale; at still coarser scales, a storey of a
  * building would be one thick plane. */
@@ -477,7 +611,8 @@ climbToPlateau(Pyramid& pyramid)
   constexpr int doublings = 6;
   for (int level = 0; level < doublings; ++level) {
     pyramid.add(coarserVoxels(pyramid.voxels.back()));
-    if (isPlateau(pyramid.levels[static_cast<std::size_t>(level)],
+    if (leaveOutSteps(pyramid.levels) ||
+        isPlateau(pyramid.levels[static_cast<std::size_t>(level)],
                   pyramid.levels.back()))
       return level;
     if (isBeyondSurfaces(pyramid.levels))

@@ -1,5 +1,7 @@
 #include "noise/noise_window.h"
 
+#include "noise/best_split.h"
+
 #include <pcl/core/impl/moments.h>
 
 #include <Eigen/Cholesky>
@@ -14,30 +16,6 @@ namespace {
 
 constexpr std::size_t quadric_terms = 6, plane_terms = 3;
 constexpr std::size_t quadric_points = 24;
-
-/** The share of the variance of values that is left within the two parts of the split
- * that leaves least (Otsu). */
-double
-splitOf(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  const auto n = static_cast<double>(values.size());
-  double sum = 0, square = 0;
-  for (const double value : values) {
-    sum += value;
-    square += value * value;
-  }
-  const double variance = square / n - sum * sum / (n * n);
-  if (!(variance > 0))
-    return 1;
-  double best = 0, left = 0;
-  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
-    left += values[i];
-    const double a = static_cast<double>(i + 1), b = n - a;
-    best = std::max(best, a * b / (n * n) * std::pow(left / a - (sum - left) / b, 2));
-  }
-  return 1 - best / variance;
-}
 
 /** Residuals of heights over a plane from the quadric that fits them. */
 double
@@ -121,7 +99,8 @@ windowOf(const WindowTree& tree, const Eigen::Vector3f& place, std::size_t point
         way.dot(plane.long_axis), way.dot(across), way.dot(plane.normal));
     heights.push_back(local.back().z());
   }
-  window.split = splitOf(std::move(heights));
+  std::sort(heights.begin(), heights.end());
+  window.split = bestSplit(heights).left;
   window.rough = points < quadric_points || !(window.radius > 0)
                      ? window.thickness
                      : roughnessOf(local, window.radius);
