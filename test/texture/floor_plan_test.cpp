@@ -184,6 +184,26 @@ TEST(FloorPlan, WallsEncloseTheFloorThatWasNotSeen)
   EXPECT_EQ(makeFloorPlan(map).rooms.size(), 2U);
 }
 
+/** The pavement of a facade is no room. */
+TEST(FloorPlan, OneWallEnclosesNoRoom)
+{
+  CompactMap map = makeRooms();
+  map.planes.resize(6);                     // without the partition
+  map.planes.erase(map.planes.begin() + 1); // nor the ceiling
+  const CompactMap room = map;
+  map.planes.resize(1);
+  EXPECT_TRUE(makeFloorPlan(map).rooms.empty());
+  map.planes.push_back(room.planes[3]); // along the longer side
+  const FloorPlan facade = makeFloorPlan(map);
+  EXPECT_TRUE(facade.rooms.empty());
+  EXPECT_FALSE(facade.floors.empty());
+  map.planes.push_back(room.planes[1]);
+  map.planes.push_back(room.planes[2]);
+  EXPECT_EQ(makeFloorPlan(map).rooms.size(), 1U);
+  map.planes = {room.planes[0], makeRooms().planes[1]}; // below a ceiling
+  EXPECT_EQ(makeFloorPlan(map).rooms.size(), 1U);
+}
+
 TEST(FloorPlan, FloorIsBelowLargerTables)
 {
   CompactMap map = makeRooms();

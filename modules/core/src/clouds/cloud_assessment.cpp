@@ -4,6 +4,9 @@
 #include <pcl/core/impl/arguments.h>
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/impl/length_remarks.h>
+#include <pcl/core/impl/parallel.h>
+
+#include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -40,7 +43,7 @@ countPoints(const PointView& points, Report& report)
     else
       places.push_back(hashOfPlace(point, 0));
   }
-  std::sort(places.begin(), places.end());
+  oneapi::tbb::parallel_sort(places.begin(), places.end());
   const auto end = std::unique(places.begin(), places.end());
   report.duplicate_points = static_cast<std::size_t>(places.end() - end);
 }
@@ -150,7 +153,7 @@ CloudAssessment::compute()
   progress.tell(0, "assessment");
   CloudAssessmentReport report;
   StepTimer timer(report);
-  countPoints(points, report);
+  withThreads(threads_, [&] { countPoints(points, report); });
   const PCLPointCloud2& layout = rows_.layout();
   report.columns = layout.height > 1 ? layout.width : 0;
   report.shift = file_->shift;
@@ -159,7 +162,8 @@ CloudAssessment::compute()
   timer.finish("points");
   report.names_views = findField(layout, "view", PCLPointField::INT32);
   if (!report.names_views)
-    report.sensors = sensorEvidence(rows_, *file_);
+    report.sensors =
+        withThreads(threads_, [&] { return sensorEvidence(rows_, *file_); });
   timer.finish("sensors");
   const auto sensor = report.sensors.isKnown()
                           ? std::make_optional(file_->sensor_origin)

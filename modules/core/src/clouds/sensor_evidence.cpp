@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -146,8 +148,14 @@ struct Sharpness {
   std::size_t bins = 0, rows = 0;
 };
 
-Sharpness
-sharpnessOf(std::vector<double> values, double most)
+/** Shares of the values that are asked for. On a level ground, rows are circles, which are sharp
+ * from everywhere above their middle: there, the few points that are not on it decide. */
+constexpr std::array<double, 2> most_values = {0.9, 0.97};
+
+using Sharpnesses = std::array<Sharpness, most_values.size()>;
+
+Sharpnesses
+sharpnessesOf(std::vector<double> values)
 {
   constexpr std::size_t number = 4096;
   constexpr double rim = 0.01;
@@ -160,7 +168,7 @@ sharpnessOf(std::vector<double> values, double most)
   };
   const double low = at(rim), width = (at(1 - rim) - low) / number;
   if (!(width > 0))
-    return {1, 1};
+    return {{{1, 1}, {1, 1}}};
   std::vector<std::size_t> counts(number +
                                   3); // values at both ends, and a last, empty bin
   for (const double value : values) {
@@ -169,13 +177,17 @@ sharpnessOf(std::vector<double> values, double most)
   }
   std::vector<std::size_t> order = counts;
   std::sort(order.begin(), order.end(), std::greater<>());
-  Sharpness result;
-  for (double sum = 0; sum < most * static_cast<double>(values.size()); ++result.bins)
-    sum += static_cast<double>(order[result.bins]);
-  const std::size_t fewest = order[result.bins - 1];
-  for (std::size_t bin = 0; bin + 1 < counts.size(); ++bin)
-    result.rows += counts[bin] >= fewest && counts[bin + 1] < fewest;
-  return result;
+  Sharpnesses results;
+  for (std::size_t m = 0; m < results.size(); ++m) {
+    Sharpness& result = results[m];
+    const double most = most_values[m] * static_cast<double>(values.size());
+    for (double sum = 0; sum < most; ++result.bins)
+      sum += static_cast<double>(order[result.bins]);
+    const std::size_t fewest = order[result.bins - 1];
+    for (std::size_t bin = 0; bin + 1 < counts.size(); ++bin)
+      result.rows += counts[bin] >= fewest && counts[bin + 1] < fewest;
+  }
+  return results;
 }
 
 /** The coordinates of a ray that are constant in a row: its elevation about each axis of the
@@ -197,27 +209,38 @@ struct Contrast {
   std::size_t rows = 0;
 };
 
-Contrast
-contrastOfRows(const Rays& rays,
-               const std::vector<Vector3d>& shifts,
-               int kind,
-               double most)
+/** For each share of the values. */
+std::array<Contrast, most_values.size()>
+contrastsOfRows(const Rays& rays, const std::vector<Vector3d>& shifts, int kind)
 {
   const auto from = [&](const Vector3d& shift) {
     std::vector<double> values;
     values.reserve(rays.size());
     for (const Vector3d& ray : rays)
       values.push_back(rowOf(ray - shift, kind));
-    return sharpnessOf(std::move(values), most);
+    return sharpnessesOf(std::move(values));
   };
-  constexpr std::size_t fewest_rows = 4, most_rows = 512;
-  const Sharpness here = from(Vector3d::Zero());
-  if (here.rows < fewest_rows || here.rows > most_rows)
-    return {};
-  std::size_t beside = std::numeric_limits<std::size_t>::max();
-  for (const Vector3d& shift : shifts)
-    beside = std::min(beside, from(shift).bins);
-  return {static_cast<double>(beside) / static_cast<double>(here.bins), here.rows};
+  const auto areRows = [](const Sharpness& sharpness) {
+    constexpr std::size_t fewest = 4, most = 512;
+    return sharpness.rows >= fewest && sharpness.rows <= most;
+  };
+  std::array<Contrast, most_values.size()> contrasts;
+  const Sharpnesses here = from(Vector3d::Zero());
+  if (std::none_of(here.begin(), here.end(), areRows))
+    return contrasts;
+  std::vector<Sharpnesses> beside(shifts.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, shifts.size(), [&](std::size_t k) {
+    beside[k] = from(shifts[k]);
+  });
+  for (std::size_t m = 0; m < here.size(); ++m) {
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    for (const Sharpnesses& one : beside)
+      fewest = std::min(fewest, one[m].bins);
+    if (areRows(here[m]))
+      contrasts[m] = {static_cast<double>(fewest) / static_cast<double>(here[m].bins),
+                      here[m].rows};
+  }
+  return contrasts;
 }
 
 /** Triples of consecutive points from windows all over the file; what is no point in
@@ -302,15 +325,14 @@ provedBy(const PointView& points,
     return result;
   };
   const std::vector<Vector3d> shifts = positionsBeside(range);
+  std::array<std::array<Contrast, most_values.size()>, row_kinds> contrasts;
+  for (int kind = 0; kind < row_kinds; ++kind)
+    contrasts[static_cast<std::size_t>(kind)] = contrastsOfRows(rays, shifts, kind);
   Contrast best;
-  // on a level ground, rows are circles, which are sharp from everywhere above their middle:
-  // there, the few points that are not on it decide
-  for (const double most : {0.9, 0.97})
-    for (int kind = 0; kind < row_kinds && best.ratio < clearer; ++kind) {
-      const Contrast found = contrastOfRows(rays, shifts, kind, most);
-      if (found.ratio > best.ratio)
-        best = found;
-    }
+  for (std::size_t m = 0; m < most_values.size(); ++m)
+    for (const auto& found : contrasts)
+      if (best.ratio < clearer && found[m].ratio > best.ratio)
+        best = found[m];
   if (best.ratio >= clearer)
     return prove(1 - 1 / (best.ratio * best.ratio),
                  std::to_string(best.rows) + " rows of equal elevation, " +

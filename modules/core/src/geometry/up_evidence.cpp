@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,23 +61,24 @@ surfaceOf(const PointView& points, double edge, unsigned threads)
 {
   const VoxelMoments voxels = sumVoxels(points, {}, edge, threads);
   const VoxelWindows windows(voxels);
-  VoxelWindows::Cursor cursor(windows, 1);
-  Surface surface{edge, {}};
-  surface.cells.reserve(windows.size());
-  for (std::size_t i = 0; i < windows.size(); ++i) {
-    const std::vector<WindowPart>& parts = cursor.moveTo(i);
-    const PlaneFit fit =
-        fitPlane(sumParts(voxels, parts, [](const auto&) { return true; }));
-    const Moments middle =
-        sumParts(voxels, parts, [](const auto& part) { return part.isMiddle(); });
-    const VoxelPlace place = placeOf(voxels.cells[windows.firstCell(i)].key);
-    const bool is_plane = fit.isPlanar() && fit.variances[1] > 0.1 * fit.variances[2];
-    const Vector3d normal = is_plane ? fit.normal : Vector3d(Vector3d::Zero());
-    surface.cells.push_back({place,
-                             voxels.lattice.center(place) + edge * middle.mean(),
-                             normal,
-                             areaIn(normal, edge)});
-  }
+  Surface surface{edge, std::vector<Cell>(windows.size())};
+  parallelForChunks(windows.size(), [&](std::size_t begin, std::size_t end) {
+    VoxelWindows::Cursor cursor(windows, 1);
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::vector<WindowPart>& parts = cursor.moveTo(i);
+      const PlaneFit fit =
+          fitPlane(sumParts(voxels, parts, [](const auto&) { return true; }));
+      const Moments middle =
+          sumParts(voxels, parts, [](const auto& part) { return part.isMiddle(); });
+      const VoxelPlace place = placeOf(voxels.cells[windows.firstCell(i)].key);
+      const bool is_plane = fit.isPlanar() && fit.variances[1] > 0.1 * fit.variances[2];
+      const Vector3d normal = is_plane ? fit.normal : Vector3d(Vector3d::Zero());
+      surface.cells[i] = {place,
+                          voxels.lattice.center(place) + edge * middle.mean(),
+                          normal,
+                          areaIn(normal, edge)};
+    }
+  });
   return surface;
 }
 
@@ -545,8 +548,12 @@ findUp(const PointView& points,
        const SensorEvidence& sensor)
 {
   UpEvidence evidence;
+  constexpr std::size_t enough = 1 << 19;
+  const std::size_t step = points.size() / enough + 1; // of the points that are asked
+  const std::vector<Eigen::Vector3f> asked = everyNth(points, step);
+  const PointView sample(asked.data(), sizeof(Eigen::Vector3f), asked.size());
   const bool is_look_asked = !usual || sensor.isKnown();
-  const Look look = is_look_asked ? lookAt(points) : Look();
+  const Look look = is_look_asked ? lookAt(sample) : Look();
   Frame frame;
   frame.is_usual_known = usual.has_value();
   frame.is_sensors = sensor.isKnown();
@@ -556,10 +563,6 @@ findUp(const PointView& points,
     evidence.value = usual->cast<double>().normalized();
   else if (frame.is_view)
     evidence.value = look.is_ahead ? Vector3d(-Vector3d::UnitY()) : Vector3d::UnitY();
-  constexpr std::size_t enough = 1 << 19;
-  const std::size_t step = points.size() / enough + 1; // of the points that are asked
-  const std::vector<Eigen::Vector3f> asked = everyNth(points, step);
-  const PointView sample(asked.data(), sizeof(Eigen::Vector3f), asked.size());
   const double extent = cloudExtent(sample).diagonal();
   const double edge = std::max(
       {3 * spacing * std::sqrt(static_cast<double>(step)), 4 * sigma, extent / 300});
@@ -567,12 +570,15 @@ findUp(const PointView& points,
     evidence.evidence = "the points have no extent";
     return evidence;
   }
-  const Surface surface = surfaceOf(sample, edge, threads);
-  const std::vector<FacingArea> facings = facingsOf(surface);
   std::array<Candidate, 3> candidates;
-  for (std::size_t k = 0; k < 3; ++k)
-    candidates[k] =
-        candidateAlong(surface, facings, Vector3d::Unit(static_cast<Eigen::Index>(k)));
+  withThreads(threads, [&] {
+    const Surface surface = surfaceOf(sample, edge, threads);
+    const std::vector<FacingArea> facings = facingsOf(surface);
+    oneapi::tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t k) {
+      candidates[k] = candidateAlong(
+          surface, facings, Vector3d::Unit(static_cast<Eigen::Index>(k)));
+    });
+  });
   conclude(candidates, frame, evidence);
   return evidence;
 }

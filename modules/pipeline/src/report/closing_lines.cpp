@@ -88,6 +88,18 @@ roomsText(const Json& rooms)
   return text;
 }
 
+/** "none is enclosed; 14.6 m² of floor"; empty without a floor. */
+std::string
+openFloorText(const Json& map)
+{
+  double sum = 0;
+  for (const Json& plane : listOf(map, "planes"))
+    if (const Json area = fieldOf(plane, "area");
+        textOf(plane, "role") == "floor" && area.is_number())
+      sum += area.get<double>();
+  return sum > 0 ? "none is enclosed; " + areaText(sum) + " m² of floor" : "";
+}
+
 std::string
 openingsText(const Json& openings)
 {
@@ -169,8 +181,8 @@ closingLines(const Json& report)
   Lines lines;
   add(lines, "map", qualityText(quality));
   add(lines, "surfaces", surfacesText(report));
-  if (const Json rooms = fieldOf(map, "rooms"); rooms.is_array() && !rooms.empty())
-    add(lines, "rooms", roomsText(rooms));
+  if (const Json rooms = fieldOf(map, "rooms"); rooms.is_array())
+    add(lines, "rooms", rooms.empty() ? openFloorText(map) : roomsText(rooms));
   if (const Json openings = fieldOf(map, "openings"); openings.is_object())
     add(lines, "openings", openingsText(openings));
   add(lines, "accuracy", accuracyText(report, map));

@@ -48,6 +48,7 @@ struct Interval {
 /** \brief A polygon that is not upright, seen from above. */
 struct Cover {
   std::size_t plane; ///< index in the map
+  bool is_ceiling;
   std::vector<std::vector<Vector2d>> loops;
 };
 
@@ -285,7 +286,7 @@ public:
     constexpr double step = 0.3; // metres
     for (const PlanePatch* plane : floors)
       if (std::abs(heightOf(*plane) - plan_.floor) <= step)
-        cover(*plane, static_cast<std::size_t>(plane - map.planes.data()));
+        cover(*plane, static_cast<std::size_t>(plane - map.planes.data()), false);
     for (const Cover& floor : covers_)
       plan_.floors.push_back(floor.loops);
     for (const PlanePatch* plane : floors)
@@ -295,7 +296,7 @@ public:
           addLevel(height, flatLoopsOf(polygon));
     for (const std::size_t p : facing_down)
       if (reachesAboveCut(map.planes[p]))
-        cover(map.planes[p], p);
+        cover(map.planes[p], p, true);
   }
 
   /** \brief Floors and ceilings. */
@@ -417,10 +418,10 @@ private:
   }
 
   void
-  cover(const PlanePatch& plane, std::size_t number)
+  cover(const PlanePatch& plane, std::size_t number, bool is_ceiling)
   {
     for (const PlanePolygon& polygon : plane.polygons)
-      covers_.push_back({number, flatLoopsOf(polygon)});
+      covers_.push_back({number, is_ceiling, flatLoopsOf(polygon)});
   }
 
   void
@@ -868,8 +869,9 @@ public:
       addLine(wall.from, wall.to, Line::Wall);
   }
 
+  /** \brief The parts of the floor that walls or a ceiling enclose. */
   std::vector<PlanRoom>
-  rooms()
+  rooms(const std::vector<Cover>& covers)
   {
     std::vector<PlanRoom> rooms;
     if (kinds_.empty())
@@ -896,12 +898,17 @@ public:
         room.area += area;
         room.seen_area += kinds_[index] == Kind::Floor ? area : 0;
       }
-    constexpr double min_area = 1;     // square metres
-    constexpr double min_width = 0.46; // metres: the sill of a window is no room
+    const std::vector<double> ceilings = ceilingsOf(covers, parts);
+    constexpr double min_area = 1;      // square metres
+    constexpr double one_wall = 0.5;    // of all directions
+    constexpr double min_ceiling = 0.3; // of the area
+    constexpr double min_width = 0.46;  // metres: the sill of a window is no room
     std::vector<std::size_t> kept;
     for (std::size_t part = 0; part < centers.size(); ++part)
       if (of_parts[part].seen_area >= min_area &&
-          2 * cell_ * centers[part].distance >= min_width) {
+          2 * cell_ * centers[part].distance >= min_width &&
+          (ceilings[part] >= min_ceiling * of_parts[part].area ||
+           enclosureOf(centers[part].cell) > one_wall)) {
         of_parts[part].center = placeOf(centers[part].cell);
         of_parts[part].outline = outlineFrom(first_cells[part]);
         kept.push_back(part);
@@ -951,6 +958,38 @@ public:
   }
 
 private:
+  /** \brief Share of the directions from a cell in which a wall or an opening is; a straight
+   * wall is in less than half of them. */
+  double
+  enclosureOf(std::size_t cell) const
+  {
+    constexpr int directions = 72;
+    int met = 0;
+    for (int k = 0; k < directions; ++k) {
+      const double angle = 2 * M_PI * k / directions;
+      const Vector2d step(std::cos(angle) / 2, std::sin(angle) / 2); // cells
+      Vector2d place = (placeOf(cell) - origin_) / cell_;
+      while (isWithin(place) && lines_[indexOf(place)] == Line::None)
+        place += step;
+      met += isWithin(place);
+    }
+    return static_cast<double>(met) / directions;
+  }
+
+  /** \brief Area of the ceilings above each part, square metres. */
+  std::vector<double>
+  ceilingsOf(const std::vector<Cover>& covers, std::int32_t parts) const
+  {
+    std::vector<double> areas(static_cast<std::size_t>(parts));
+    for (const Cover& cover : covers)
+      if (cover.is_ceiling)
+        forEachInside(cover.loops, [&](std::size_t index) {
+          if (parts_[index] >= 0)
+            areas[static_cast<std::size_t>(parts_[index])] += cell_ * cell_;
+        });
+    return areas;
+  }
+
   enum class Kind : std::uint8_t { Unseen, Floor };
   enum class Line : std::uint8_t { None, Opening, Wall };
   static constexpr std::int32_t none = -1, outdoors = -2; // instead of a part
@@ -1212,7 +1251,7 @@ makeFloorPlan(const CompactMap& map)
   PlanMaker maker(map);
   FloorPlan plan = maker.make();
   FloorCells cells(plan);
-  plan.rooms = cells.rooms();
+  plan.rooms = cells.rooms(maker.covers());
   cells.join(maker.covers(), plan);
   if (plan.rooms.size() == map.rooms.size())
     for (std::size_t room = 0; room < plan.rooms.size(); ++room)

@@ -337,8 +337,11 @@ private:
       area += room.area;
       seen += room.seen_area;
     }
-    return {"cut " + fixed(plan_.cut - plan_.floor, 2) +
-                " m above the floor; acmap " ACMAP_VERSION,
+    const std::string cut = "cut " + fixed(plan_.cut - plan_.floor, 2) +
+                            " m above the floor; acmap " ACMAP_VERSION;
+    if (plan_.rooms.empty())
+      return {cut, "no room is enclosed by walls or a ceiling"};
+    return {cut,
             std::to_string(plan_.rooms.size()) +
                 (plan_.rooms.size() == 1 ? " room, " : " rooms, ") + areaText(area) +
                 " m\u00B2 of floor",
