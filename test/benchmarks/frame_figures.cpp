@@ -2,6 +2,7 @@
 #include "boxed_hall.h"
 #include "laser_recording.h"
 
+#include <pcl/core/impl/rigid_alignment.h>
 #include <pcl/core/random.h>
 #include <pcl/core/trajectory_error.h>
 #include <pcl/filters/voxel_consolidation.h>
@@ -236,9 +237,8 @@ printAxes()
     for (const auto& cloud : given.clouds)
       clouds.push_back(withNormals(*cloud));
     for (const auto& [name, up] : upDirections()) {
-      const Recording recording = turned(
-          Eigen::Quaterniond::FromTwoVectors(-Vector3d::UnitY(), up).toRotationMatrix(),
-          given);
+      const Recording recording =
+          turned(smallestRotation(-Vector3d::UnitY(), up).toRotationMatrix(), given);
       const EntropyRectification<PointNormal> rectification =
           rectified(clouds, recording.odometry);
       MapLevelling<PointNormal> levelling;

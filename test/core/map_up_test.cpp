@@ -1,3 +1,4 @@
+#include <pcl/core/impl/rigid_alignment.h>
 #include <pcl/core/map_up.h>
 
 #include <pcl/core/random.h>
@@ -131,7 +132,7 @@ TEST(MapUp, SmallPlanesAndClutterDoNotMatter)
 
 TEST(MapUp, ScannersHaveZUp)
 {
-  const Quaterniond turn = Quaterniond::FromTwoVectors(up, Vector3d::UnitZ());
+  const Quaterniond turn = smallestRotation(up, Vector3d::UnitZ());
   EXPECT_EQ(upAxis(roomSeenBy(turn)), Vector3d::UnitZ());
   const Quaterniond tilt = turnedAbout(Vector3d::UnitX(), 6);
   EXPECT_LT((upDirection(roomSeenBy(tilt * turn)) - tilt * Vector3d::UnitZ()).norm(),

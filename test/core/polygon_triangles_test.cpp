@@ -1,5 +1,6 @@
 #include "cell_polygons.h"
 
+#include <pcl/core/impl/rigid_alignment.h>
 #include <pcl/core/polygon_triangles.h>
 #include <pcl/core/random.h>
 
@@ -139,7 +140,7 @@ TEST(PolygonTriangles, EitherWayOfTurningAndAnyNormal)
   EXPECT_DOUBLE_EQ(totalArea(polygon), 12);
   EXPECT_DOUBLE_EQ(totalArea(polygon, -up), 12);
   const Eigen::Vector3d normal = Eigen::Vector3d(1, -2, 2).normalized();
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(up, normal);
+  const Eigen::Quaterniond turn = smallestRotation(up, normal);
   const auto place = [&](Eigen::Vector3f& p) {
     p = (turn * p.cast<double>() + Eigen::Vector3d(300, -20, 7)).cast<float>();
   };

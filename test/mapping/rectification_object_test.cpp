@@ -2,6 +2,7 @@
 
 #include <pcl/common/transforms.h>
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/rigid_alignment.h>
 #include <pcl/core/trajectory.h>
 
 #include <cmath>
@@ -83,8 +84,7 @@ TEST(EntropyRectification, theVerticalMayBeAnyDirection)
   level.compute();
   for (const Eigen::Vector3d& up :
        {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 2, 3)}) {
-    const Eigen::Quaterniond turn =
-        Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitY(), up);
+    const Eigen::Quaterniond turn = smallestRotation(-Eigen::Vector3d::UnitY(), up);
     Rectification turned = heldInSpace(room);
     for (std::size_t i = 0; i < room.odometry.size(); ++i)
       turned.setPose(i, turn * turned.getPose(i));
@@ -114,8 +114,7 @@ TEST(EntropyRectification, theVerticalIsFound)
   level.compute();
   for (const Eigen::Vector3d& up :
        {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, -1, 0)}) {
-    const Eigen::Quaterniond turn =
-        Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitY(), up);
+    const Eigen::Quaterniond turn = smallestRotation(-Eigen::Vector3d::UnitY(), up);
     Rectification turned = heldInSpace(room);
     for (std::size_t i = 0; i < room.odometry.size(); ++i)
       turned.setPose(i, turn * turned.getPose(i));

@@ -1,6 +1,7 @@
 #include "small_scenes.h"
 
 #include <pcl/core/impl/parallel.h>
+#include <pcl/core/impl/rigid_alignment.h>
 #include <pcl/core/random.h>
 #include <pcl/simulation/ray_casting.h>
 
@@ -47,8 +48,7 @@ struct SlowDistance {
   operator()(const SimulatedCylinder& cylinder) const
   {
     // In a frame with z along the axis: x^2 + y^2 = r^2.
-    Eigen::Isometry3d frame(
-        Eigen::Quaterniond::FromTwoVectors(cylinder.axis, Eigen::Vector3d::UnitZ()));
+    Eigen::Isometry3d frame(smallestRotation(cylinder.axis, Eigen::Vector3d::UnitZ()));
     frame.translation() = -(frame.linear() * cylinder.base);
     const Eigen::Vector3d o = frame * ray.from;
     const Eigen::Vector3d d = frame.linear() * ray.along;

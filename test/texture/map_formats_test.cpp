@@ -1,6 +1,7 @@
 #include "temporary_folder.h"
 #include "textured_map.h"
 
+#include <pcl/core/impl/rigid_alignment.h>
 #include <pcl/core/mesh_file.h>
 #include <pcl/core/point_cloud_file.h>
 #include <pcl/texture/compact_map_folder.h>
@@ -340,8 +341,7 @@ TEST_F(MapFormats, UpIsUpInObjAndGlb)
 {
   // a scanned room with z up: its floor is larger than its walls
   const Eigen::Quaterniond turn = // from the frame of the camera
-      Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitY(),
-                                         Eigen::Vector3d::UnitZ());
+      smallestRotation(-Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ());
   const double areas[] = {5.5, 6, 6};
   map_.trajectory = {};
   map_.charts.clear();

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include <cmath>
+
 namespace pcl::acmap {
 
 template <int Dimension>
@@ -33,7 +35,15 @@ alignmentRotation<3>(const Eigen::Matrix3d&, double);
 Eigen::Quaterniond
 smallestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
-  return Eigen::Quaterniond::FromTwoVectors(from, to);
+  const Eigen::Vector3d a = from.normalized(), b = to.normalized();
+  const double cosine = b.dot(a);
+  if (cosine < -1 + Eigen::NumTraits<double>::dummy_precision())
+    return Eigen::Quaterniond(Eigen::AngleAxisd(M_PI, a.unitOrthogonal()));
+  const double twice = std::sqrt((1 + cosine) * 2);
+  Eigen::Quaterniond rotation;
+  rotation.vec() = a.cross(b) * (1 / twice);
+  rotation.w() = twice / 2;
+  return rotation;
 }
 
 } // namespace pcl::acmap

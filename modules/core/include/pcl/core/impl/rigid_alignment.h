@@ -22,7 +22,8 @@ alignmentRotation(const Eigen::Matrix<double, Dimension, Dimension>& cross,
 
 /** \brief The smallest rotation that turns one direction into another.
  *
- * Eigen's own takes seconds of compilation in each source that calls it.
+ * Eigen's own takes seconds of compilation in each source that calls it, and GCC 13 warns of
+ * it at -O3. Of opposite directions, the axis is any one across them.
  * \param[in] from, to need not be unit vectors \ingroup core */
 ACMAP_EXPORT Eigen::Quaterniond
 smallestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
