@@ -61,6 +61,22 @@ TEST(CloudAssessment, countsWhatIsNoPoint)
   EXPECT_NEAR(report.spacing, 0.05, 0.01);
 }
 
+TEST(CloudAssessment, findsNoUpDirectionInADoubtfulUnit)
+{
+  PointCloud<PointXYZ>::Ptr cloud = cloudOf(turnedRoomWithoutCeiling(1));
+  CloudAssessment assessment;
+  assessment.setInputCloud(cloud);
+  assessment.compute();
+  EXPECT_EQ(assessment.getReport().up.outcome, UpOutcome::Found);
+  for (PointXYZ& point : *cloud)
+    point.getVector3fMap() *= 1000;
+  assessment.setInputCloud(cloud);
+  assessment.compute();
+  EXPECT_EQ(assessment.getReport().unit.outcome, UnitOutcome::Doubtful);
+  EXPECT_EQ(assessment.getReport().up.outcome, UpOutcome::Assumed);
+  EXPECT_EQ(assessment.getReport().up.value, Eigen::Vector3d::UnitZ());
+}
+
 TEST(CloudAssessment, takesWhatIsStatedWithoutAsking)
 {
   const PointCloud<PointXYZ>::Ptr cloud = cloudOf(turnedRoomWithoutCeiling(1));

@@ -101,6 +101,25 @@ TEST(UpEvidence, ofAWallAloneIsAssumed)
   EXPECT_EQ(up.value, Vector3d::UnitZ());
 }
 
+/** Steps stand on the wall beside them as things stand on a floor. */
+TEST(UpEvidence, isNotThroughTheWallBesideSteps)
+{
+  for (const double width : {1.0, 1.5}) {
+    SceneWithUp stairs;
+    constexpr double tread = 0.29, rise = 0.17;
+    constexpr int steps = 14;
+    for (int k = 0; k < steps; ++k) {
+      addRectangle({0, k * tread, k * rise}, {width, 0, 0}, {0, tread, 0}, stairs);
+      addRectangle({0, k * tread, (k - 1) * rise}, {width, 0, 0}, {0, 0, rise}, stairs);
+    }
+    addRectangle(
+        {width, 0, -rise}, {0, steps * tread, 0}, {0, 0, steps * rise + 2.4}, stairs);
+    const UpEvidence up = upOf(stairs, Eigen::Matrix3d::Identity());
+    EXPECT_EQ(up.outcome, UpOutcome::Assumed) << up.evidence;
+    EXPECT_EQ(up.value, Vector3d::UnitZ());
+  }
+}
+
 /** Above the origin of a site's frame, all of a building is within the view of a camera. */
 TEST(UpEvidence, ofABuildingAboveTheOriginIsNotThatOfACamera)
 {

@@ -184,6 +184,13 @@ CloudAssessment::compute()
                                                              : SensorEvidence());
   timer.finish("up");
   report.unit = unitOf(*file_, points, scale_.spacing);
+  if (report.unit.outcome == UnitOutcome::Doubtful &&
+      report.up.outcome == UpOutcome::Found) {
+    report.up = UpEvidence();
+    if (file_->usual_up)
+      report.up.value = file_->usual_up->cast<double>().normalized();
+    report.up.evidence = "the unit is doubtful";
+  }
   if (!report.up.isKnown())
     report.remarks.push_back("the up direction is assumed: " + report.up.evidence +
                              " (setUpDirection, --up)");

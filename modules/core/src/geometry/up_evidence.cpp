@@ -367,11 +367,17 @@ int
 levelledAxis(const std::array<Candidate, 3>& candidates)
 {
   constexpr double level = 1.2 * degrees, turned = 2 * degrees, times = 3.5;
+  constexpr double mostly = 0.5, least_slope = 24 * degrees; // of stairs and roofs
   for (int axis = 0; axis < 3; ++axis) {
-    const auto off = [&](int step) {
-      return candidates[static_cast<std::size_t>((axis + step) % 3)].off;
+    const auto other = [&](int step) -> const Candidate& {
+      return candidates[static_cast<std::size_t>((axis + step) % 3)];
     };
-    if (off(0) < level && std::min(off(1), off(2)) > std::max(turned, times * off(0)))
+    const double turn = std::min(other(1).off, other(2).off);
+    // a slope beside a wall is turned, too, about the normal of the wall
+    const bool may_be_slope =
+        turn > least_slope && std::min(other(1).explained, other(2).explained) < mostly;
+    if (other(0).off < level && turn > std::max(turned, times * other(0).off) &&
+        !may_be_slope)
       return axis;
   }
   return -1;
@@ -488,6 +494,17 @@ mayBeWall(const Candidate& candidate)
   return candidate.height == 0 && candidate.lead < mostly;
 }
 
+/** A level without a ceiling that is no larger than walls are: stairs and shelves stand on a wall
+ * as furniture stands on a floor. */
+bool
+isAsLargeAsWalls(const std::array<Candidate, 3>& candidates, std::size_t axis)
+{
+  constexpr double largest = 25; // metres
+  return candidates[axis].height == 0 &&
+         std::min(candidates[(axis + 1) % 3].reach, candidates[(axis + 2) % 3].reach) <
+             largest;
+}
+
 /** Which axis is vertical, and which of its senses is up.
  * \param[in,out] evidence with what is assumed if nothing shows it */
 void
@@ -495,7 +512,7 @@ conclude(const std::array<Candidate, 3>& candidates,
          const Frame& frame,
          UpEvidence& evidence)
 {
-  constexpr double sure = 0.85, unlikely = 0.1, sure_of_frame = 0.97;
+  constexpr double sure = 0.9, unlikely = 0.1, sure_of_frame = 0.97;
   constexpr double one_sided = 0.97, mostly = 0.5, partly_seen = 0.1;
   const std::array<double, 3> probabilities = probabilitiesOf(candidates);
   const auto best =
@@ -513,8 +530,9 @@ conclude(const std::array<Candidate, 3>& candidates,
   const bool is_unusual = !is_levelled && frame.is_usual_known &&
                           std::abs(vertical.up.dot(evidence.value)) < mostly;
   const bool is_seen = vertical.lead >= one_sided && vertical.coverage >= partly_seen;
-  if (is_faced || (!is_levelled && mayBeWall(vertical)) || (is_unusual && !is_seen) ||
-      (!is_levelled && !(probabilities[axis] >= needed))) {
+  if (is_faced ||
+      (!is_levelled && (mayBeWall(vertical) || isAsLargeAsWalls(candidates, axis))) ||
+      (is_unusual && !is_seen) || (!is_levelled && !(probabilities[axis] >= needed))) {
     evidence.evidence = "floors, ceilings and walls do not tell which axis is vertical";
     if (!frame.is_usual_known && evidence.value == Vector3d::UnitZ() &&
         candidates[2].coverage == 0 && candidates[1].coverage > 0 &&
