@@ -1,5 +1,3 @@
-#include "naming/smallest_rectangle.h"
-
 #include <pcl/core/impl/planar_geometry.h>
 #include <pcl/pipeline/surface_names.h>
 
@@ -7,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -51,6 +50,56 @@ struct PlacedPlane {
     return Vector2d(-front.y(), front.x()).normalized();
   }
 };
+
+bool
+turnsLeft(const Vector2d& a, const Vector2d& b, const Vector2d& c)
+{
+  return (b - a).x() * (c - b).y() - (b - a).y() * (c - b).x() > 0;
+}
+
+/** \brief One half of the convex hull of sorted points (Andrew's monotone chain). */
+template <typename Iterator>
+std::vector<Vector2d>
+chainOf(Iterator begin, Iterator end)
+{
+  std::vector<Vector2d> chain;
+  for (; begin != end; ++begin) {
+    while (chain.size() >= 2 &&
+           !turnsLeft(chain[chain.size() - 2], chain.back(), *begin))
+      chain.pop_back();
+    chain.push_back(*begin);
+  }
+  return chain;
+}
+
+/** \brief Sides of the smallest rectangle around points, the longer one first; zero without
+ * points. */
+Vector2d
+sidesOfSmallestRectangle(std::vector<Vector2d> points)
+{
+  if (points.empty())
+    return Vector2d::Zero();
+  std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  std::vector<Vector2d> hull = chainOf(points.begin(), points.end());
+  const std::vector<Vector2d> upper = chainOf(points.rbegin(), points.rend());
+  hull.insert(hull.end(), upper.begin(), upper.end());
+  Vector2d smallest = Vector2d::Constant(std::numeric_limits<double>::infinity());
+  for (std::size_t k = 0; k < hull.size(); ++k) {
+    const Vector2d edge = hull[(k + 1) % hull.size()] - hull[k];
+    // a side of the smallest rectangle lies on an edge of the hull
+    const Vector2d along = edge.norm() > 0 ? edge.normalized() : Vector2d::UnitX();
+    Eigen::AlignedBox2d box;
+    for (const Vector2d& corner : hull)
+      box.extend(
+          Vector2d(corner.dot(along), corner.dot(Vector2d(-along.y(), along.x()))));
+    if (box.sizes().prod() < smallest.prod() ||
+        (box.sizes().prod() == smallest.prod() && box.sizes().sum() < smallest.sum()))
+      smallest = box.sizes();
+  }
+  return {smallest.maxCoeff(), smallest.minCoeff()};
+}
 
 /** \brief "room 1", "rooms 1 and 3", "rooms 1, 2 and 4".
  * \param[in] rooms indices, ascending; not empty */
@@ -146,7 +195,7 @@ private:
     placed.end = lengths.max().x();
     placed.size = placed.isUpright()
                       ? Vector2d(placed.end - placed.begin, placed.high - placed.low)
-                      : acmap::sidesOfSmallestRectangle(std::move(corners));
+                      : sidesOfSmallestRectangle(std::move(corners));
     return placed;
   }
 
@@ -453,10 +502,9 @@ private:
   nameRooms()
   {
     for (std::size_t room = 0; room < map_.rooms.size(); ++room)
-      map_.rooms[room].label = {
-          "Room " + std::to_string(room + 1),
-          SurfaceRole::Other,
-          acmap::sidesOfSmallestRectangle(plan_.rooms[room].outline)};
+      map_.rooms[room].label = {"Room " + std::to_string(room + 1),
+                                SurfaceRole::Other,
+                                sidesOfSmallestRectangle(plan_.rooms[room].outline)};
     for (MapOpening& opening : map_.openings) {
       std::vector<std::size_t> rooms;
       for (const std::int32_t room : opening.rooms)
