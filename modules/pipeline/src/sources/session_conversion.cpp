@@ -4,11 +4,11 @@
 #include <pcl/core/image_file.h>
 #include <pcl/core/impl/folder_entries.h>
 #include <pcl/core/impl/json_text.h>
+#include <pcl/core/impl/part_of_progress.h>
 #include <pcl/core/output_folder.h>
 #include <pcl/core/trajectory.h>
 #include <pcl/pipeline/disparity_picture.h>
 #include <pcl/pipeline/observation_files.h>
-#include <pcl/pipeline/observation_writing.h>
 #include <pcl/pipeline/session_conversion.h>
 
 #include <algorithm>
@@ -229,37 +229,34 @@ convertSession(SessionSource& session,
         [&](const std::string& name) {
           return acmap::isPlainName(name) && fs::exists(place / name);
         });
+  std::optional<acmap::OutputFolder> part;
+  const acmap::OutputFolder& files =
+      conversion.goes_on ? part.emplace(folder.name()) : folder;
   Report steps;
   acmap::StepTimer timer(steps);
+  const acmap::Progress progress(conversion.progress);
   const auto count = static_cast<double>(session.size());
-  SessionObservation made;
-  const auto make = [&](std::size_t i) -> std::optional<acmap::ObservationToWrite> {
+  for (std::size_t i = 0; i < session.size(); ++i) {
+    const double begin = static_cast<double>(i) / count;
+    progress.tell(begin, "reading shots");
     const std::optional<acmap::ObservationShots> shots = session.nextShots();
     timer.finish("wait for shots");
     if (!shots || converted.has(shots->number))
-      return {};
-    made = session.fuse(*shots, [&](double fraction, const std::string& step) {
-      return !conversion.progress ||
-             conversion.progress((static_cast<double>(i) + fraction) / count, step);
-    });
+      continue;
+    const SessionObservation made = session.fuse(
+        *shots, acmap::partOf(conversion.progress, begin, begin + 1 / count));
     timer.finish("match");
     converted.add(made);
-    PCLPointCloud2::Ptr cloud(new PCLPointCloud2);
-    toPCLPointCloud2(made.cloud, *cloud);
-    return {{cloud, poses.of(made.number), 0, acmap::observationName(made.number)}};
-  };
-  std::optional<acmap::OutputFolder> part;
-  acmap::OutputFolder& files =
-      conversion.goes_on ? part.emplace(folder.name()) : folder;
-  const auto finish = [&](const acmap::ObservationToWrite&) {
+    PCLPointCloud2 cloud;
+    toPCLPointCloud2(made.cloud, cloud);
+    acmap::saveObservation(
+        files.path(acmap::observationName(made.number)), cloud, poses.of(made.number));
     if (conversion.writes_disparities)
       saveDisparity(conversion, files, made);
     if (part)
       putInPlace(part, converted);
     timer.finish("write");
-  };
-  acmap::writeObservations(
-      files, session.size(), make, {conversion.progress, "reading shots", finish});
+  }
   addSeconds(steps, converted.report);
   if (conversion.goes_on) {
     std::error_code ignored;
