@@ -438,6 +438,24 @@ agreeOnTexelSize(const ObservationSequence& observations,
         texturing.getPlanes(), texturing.getCylinders(), viewOfObservation(*first)));
 }
 
+/** Adds the observations of this rank to a texturing; the other ranks paint with theirs. */
+void
+addObservations(const ChainState& state,
+                bool skip_broken,
+                PlaneTexturing<PointXYZRGB>& texturing)
+{
+  const ObservationSequence& sequence = *state.observations;
+  RankedWork* const work = state.work.get();
+  if (work)
+    agreeOnTexelSize(sequence, skip_broken, texturing);
+  const bool is_shared = work && work->startPainting(texturing);
+  for (std::size_t i = 0; i < (is_shared ? work->own() : sequence.size()); ++i)
+    texturing.addObservationLoader(
+        [&sequence, i, skip_broken] { return loadTextured(sequence, i, skip_broken); });
+  if (is_shared)
+    texturing.addPaintedObservations([work] { return work->nextPart(); });
+}
+
 /** Tells how good the map is, and from where to look next. */
 void
 judgeMap(const FloorPlan& plan, const StageRun& run, ChainState& state)
@@ -470,16 +488,8 @@ runTexturing(ChainState& state,
   texturing.setCylinders(found.cylinders);
   texturing.clearObservations();
   CompactMap& map = state.map;
-  if (state.observations && state.work)
-    agreeOnTexelSize(*state.observations, settings.skip_broken, texturing);
   if (state.observations)
-    addObservations(
-        state.work.get(),
-        state.observations->size(),
-        [&](std::size_t i) {
-          return loadTextured(*state.observations, i, settings.skip_broken);
-        },
-        texturing);
+    addObservations(state, settings.skip_broken, texturing);
   else
     texturing.addObservationLoader([&]() -> std::optional<TexturedObservation> {
       return TexturedObservation{
@@ -658,6 +668,21 @@ streamSteps(const ChainSettings& settings, unsigned threads)
                                    RectificationMode::Paper);
   steps.consolidation.setNumberOfThreads(threads);
   return steps;
+}
+
+std::optional<TexturedObservation>
+loadTextured(const ObservationSequence& sequence, std::size_t i, bool skip_broken)
+{
+  try {
+    const PosedObservation seen = sequence.load(i);
+    return TexturedObservation{
+        sharedCloud(seen.file), seen.T_map_camera, sequence.stamp(i), true};
+  }
+  catch (const InputFileException&) {
+    if (!skip_broken)
+      throw;
+    return std::nullopt;
+  }
 }
 
 } // namespace pcl::acmap

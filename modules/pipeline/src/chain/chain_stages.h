@@ -4,6 +4,8 @@
 
 #include <pcl/pipeline/chain.h>
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace pcl::acmap {
@@ -20,5 +22,11 @@ cloudStage(Chain::CloudLoader load);
 /** \brief The steps with which observations are processed as they arrive. */
 ObservationStream::Steps
 streamSteps(const ChainSettings& settings, unsigned threads);
+
+/** \brief Loads an observation for a texturing.
+ * \return nothing if it cannot be read and may be skipped: the merging has reported it
+ * \throws InputFileException if it may not be skipped */
+std::optional<TexturedObservation>
+loadTextured(const ObservationSequence& sequence, std::size_t i, bool skip_broken);
 
 } // namespace pcl::acmap

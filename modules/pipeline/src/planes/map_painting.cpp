@@ -1,7 +1,6 @@
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/length_remarks.h>
 #include <pcl/pipeline/map_painting.h>
-#include <pcl/pipeline/ranked_work.h>
 #include <pcl/pipeline/surface_names.h>
 
 #include <algorithm>
@@ -74,7 +73,8 @@ paintMap(const CompactMap& surfaces,
       return std::nullopt;
     }
   };
-  acmap::addObservations(nullptr, sequence.size(), load, texturing);
+  for (std::size_t i = 0; i < sequence.size(); ++i)
+    texturing.addObservationLoader([&load, i] { return load(i); });
   paint(texturing, surfaces, painted);
   if (painted.map.trajectory.poses.empty())
     throw InputFileException("none of the observations can be read");

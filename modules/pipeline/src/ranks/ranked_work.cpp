@@ -250,34 +250,5 @@ shareOut(const std::shared_ptr<Ranks>& ranks,
   return nullptr;
 }
 
-std::optional<TexturedObservation>
-loadTextured(const ObservationSequence& sequence, std::size_t i, bool skip_broken)
-{
-  try {
-    const PosedObservation seen = sequence.load(i);
-    return TexturedObservation{
-        sharedCloud(seen.file), seen.T_map_camera, sequence.stamp(i), true};
-  }
-  catch (const InputFileException&) {
-    if (!skip_broken)
-      throw;
-    return std::nullopt;
-  }
-}
-
-void
-addObservations(
-    RankedWork* work,
-    std::size_t observations,
-    const std::function<std::optional<TexturedObservation>(std::size_t)>& load,
-    PlaneTexturing<PointXYZRGB>& texturing)
-{
-  const bool is_shared = work && work->startPainting(texturing);
-  for (std::size_t i = 0; i < (is_shared ? work->own() : observations); ++i)
-    texturing.addObservationLoader([load, i] { return load(i); });
-  if (is_shared)
-    texturing.addPaintedObservations([work] { return work->nextPart(); });
-}
-
 } // namespace acmap
 } // namespace pcl

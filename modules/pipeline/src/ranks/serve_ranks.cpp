@@ -1,3 +1,4 @@
+#include "chain/chain_stages.h"
 #include "ranks/rank_messages.h"
 
 #include <pcl/core/exceptions.h>

@@ -12,7 +12,6 @@
 #include <pcl/texture/plane_texturing.h>
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -138,25 +137,6 @@ shareOut(const std::shared_ptr<Ranks>& ranks,
          const std::string& scratch_folder,
          std::size_t resident,
          std::vector<std::string>& remarks);
-
-/** \brief Loads an observation for a texturing.
- * \return nothing if it cannot be read and may be skipped: the merging has reported it
- * \throws InputFileException if it may not be skipped */
-ACMAP_EXPORT std::optional<TexturedObservation>
-loadTextured(const ObservationSequence& sequence, std::size_t i, bool skip_broken);
-
-/** \brief Adds observations to a texturing with surfaces and settings; with those of other
- * ranks these paint.
- * \param[in] work of the observations, which must exist while the texturing runs; null: there
- * are no other ranks
- * \param[in] observations number of all
- * \param[in] load returns an observation of this rank, or nothing */
-ACMAP_EXPORT void
-addObservations(
-    RankedWork* work,
-    std::size_t observations,
-    const std::function<std::optional<TexturedObservation>(std::size_t)>& load,
-    PlaneTexturing<PointXYZRGB>& texturing);
 
 } // namespace acmap
 
