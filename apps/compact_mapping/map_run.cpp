@@ -54,7 +54,7 @@ thinned(const ChainCloud& merged)
 {
   constexpr std::size_t maximum = 1000000;
   const PCLPointCloud2 few = everyNth(merged.rows, merged.rows.size() / maximum + 1);
-  return movedRows(merged.T_map_cloud, CloudRows::of(few)).copy();
+  return movedRows(merged.T_cloud_map.inverse(), CloudRows::of(few)).copy();
 }
 
 /** Reports how much the processes had to tell each other. */

@@ -353,7 +353,7 @@ runMerging(ChainState& state,
   state.cloud = {std::move(merged.cloud),
                  nullptr,
                  std::move(merged.viewpoints),
-                 frame.T_frame_map().inverse()};
+                 frame.T_frame_map()};
   timer.finish("read");
 }
 
@@ -361,7 +361,7 @@ runMerging(ChainState& state,
 PoseErrorModel
 errorModelOf(const ChainState& state, const ChainSettings& settings)
 {
-  const LevelFrame frame = frameOf(state, settings);
+  const LevelFrame frame(state.cloud.T_cloud_map);
   PoseErrorModel model;
   for (std::size_t i = 0; i < state.observations->size(); ++i)
     model.poses.push_back(frame.place(state.observations->pose(i)));
@@ -415,8 +415,9 @@ runPlanes(ChainState& state,
   state.sightings = collectSightings(
       state.cloud.rows, state.planes.labels, state.planes.planes, knownSensors(state));
   if (state.observations) {
-    moveTo(state.cloud.T_map_cloud, state.planes);
-    moveTo(state.cloud.T_map_cloud, state.sightings);
+    const Eigen::Isometry3d T_map_cloud = state.cloud.T_cloud_map.inverse();
+    moveTo(T_map_cloud, state.planes);
+    moveTo(T_map_cloud, state.sightings);
   }
   timer.finish("planes");
 }

@@ -22,6 +22,12 @@ public:
    * \param[in] up unit, in the map */
   LevelFrame(const Eigen::Isometry3d& T_map_sensor, const Eigen::Vector3d& up);
 
+  /** \brief A level frame that was made before. */
+  explicit LevelFrame(const Eigen::Isometry3d& T_frame_map)
+  : is_of_map_(false)
+  , T_frame_map_(T_frame_map)
+  {}
+
   const Eigen::Isometry3d&
   T_frame_map() const
   {

@@ -65,8 +65,8 @@ struct ChainCloud {
   CloudRows rows;                             ///< metres
   std::shared_ptr<const PointCloudFile> file; ///< sensor, up direction and shift
   std::vector<Eigen::Vector3f> viewpoints;    ///< of its field `view`, metres
-  /** \brief Where its frame is in the map; one of merged observations has one of its own. */
-  Eigen::Isometry3d T_map_cloud = Eigen::Isometry3d::Identity();
+  /** \brief The map in its frame; a cloud of merged observations has one of its own. */
+  Eigen::Isometry3d T_cloud_map = Eigen::Isometry3d::Identity();
 };
 
 /** \brief What the stages of a chain hand on. \ingroup pipeline */
