@@ -1,6 +1,6 @@
 #include "chain/chain_stages.h"
+#include "poses/level_frame.h"
 
-#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/part_of_progress.h>
 #include <pcl/core/scratch_memory.h>
 #include <pcl/pipeline/chain.h>
@@ -131,12 +131,8 @@ Chain::measurePath()
   const ObservationSequence& sequence = *state_.observations;
   std::vector<Eigen::Isometry3d> poses;
   for (std::size_t i = 0; i < sequence.size(); ++i)
-    try {
-      poses.push_back(sequence.poseInHeader(i));
-    }
-    catch (const InputFileException&) {
-      continue; // told when it is its turn
-    }
+    if (const auto pose = readablePose(sequence, i))
+      poses.push_back(*pose);
   state_.report.path = judgePath(freeMotionOf(poses));
   state_.is_path_in_space = state_.report.path->is_in_space;
 }

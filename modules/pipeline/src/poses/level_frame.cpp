@@ -138,16 +138,23 @@ roundedPose(const Isometry3d& pose)
   return rounded;
 }
 
+std::optional<Isometry3d>
+readablePose(const ObservationSequence& sequence, std::size_t i)
+{
+  try {
+    return sequence.poseInHeader(i);
+  }
+  catch (const InputFileException&) {
+    return std::nullopt;
+  }
+}
+
 Isometry3d
 firstPoseOf(const ObservationSequence& sequence)
 {
   for (std::size_t i = 0; i < sequence.size(); ++i)
-    try {
-      return sequence.poseInHeader(i);
-    }
-    catch (const InputFileException&) {
-      continue; // told when it is its turn
-    }
+    if (const auto pose = readablePose(sequence, i))
+      return *pose;
   return Isometry3d::Identity();
 }
 

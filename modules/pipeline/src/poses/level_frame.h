@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace pcl::acmap {
@@ -60,6 +62,11 @@ private:
  * were given, where one bit may decide. */
 Eigen::Isometry3d
 roundedPose(const Eigen::Isometry3d& pose);
+
+/** \brief The pose of an observation (ObservationSequence::poseInHeader); none if its file cannot
+ * be read, which is told when it is its turn. */
+std::optional<Eigen::Isometry3d>
+readablePose(const ObservationSequence& sequence, std::size_t i);
 
 /** \brief The first pose that can be read; the identity if there is none. */
 Eigen::Isometry3d
