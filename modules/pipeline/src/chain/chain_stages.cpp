@@ -259,28 +259,23 @@ runRectification(ChainState& state,
   ConsolidatedObservations& observations = state.rectified;
   levelAll(state, settings, run.threads);
   const Eigen::Vector3d& up = state.report.levelling->axis;
-  const std::vector<Eigen::Isometry3d>& given = observations.trajectory.poses;
-  const LevelFrame frame = frameOf(given.front(), up, settings);
   EntropyRectification<PointNormal> rectification = settings.rectification;
-  rectification.setUpDirection(frame.up(up));
   if (state.estimated.noise)
     rectification.setOdometryNoise(state.noise);
   rectification.setNumberOfThreads(run.threads);
   rectification.setProgressCallback(partOf(run.progress, 0.4, 1));
-  rectification.clear();
-  for (std::size_t i = 0; i < observations.clouds.size(); ++i)
-    rectification.addPointCloud(
-        observations.clouds[i], frame.place(given[i]), observations.weights[i]);
-  rectification.compute();
+  EstimatedPoses poses = {
+      observations.places, observations.trajectory, std::nullopt, std::nullopt};
+  poses.trajectory.poses =
+      rectifiedPoses(frameOf(observations.trajectory.poses.front(), up, settings),
+                     observations,
+                     up,
+                     rectification);
   state.report.rectification = rectification.getReport();
   state.report.rectification->up = up;
   addRemarks(state.stage, state.report.rectification->remarks);
-  EstimatedPoses poses = {
-      observations.places, observations.trajectory, std::nullopt, std::nullopt};
   if (state.report.levelling->found)
     poses.up = up;
-  for (std::size_t i = 0; i < poses.places.size(); ++i)
-    poses.trajectory.poses[i] = frame.inMap(rectification.getPose(i), given[i]);
   poses.verdict = verdictOf(*state.report.rectification);
   state.before = open.put(before_name, observations.trajectory);
   setPoses(state, open.put(poses));

@@ -1,3 +1,5 @@
+#include "poses/level_frame.h"
+
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
 #include <pcl/core/carmen_log.h>
@@ -78,15 +80,9 @@ rectifyLaser(LaserObservations& observations,
   RectifiedLaser found;
   found.levelling =
       levelObservations(levelling, observations, rectification.getNumberOfThreads());
-  rectification.setUpDirection(found.levelling.axis);
-  for (std::size_t i = 0; i < observations.clouds.size(); ++i)
-    rectification.addPointCloud(observations.clouds[i],
-                                observations.trajectory.poses[i],
-                                observations.weights[i]);
-  rectification.compute();
+  found.poses = acmap::rectifiedPoses(
+      acmap::LevelFrame(), observations, found.levelling.axis, rectification);
   found.report = rectification.getReport();
-  for (std::size_t i = 0; i < rectification.getNumberOfPointClouds(); ++i)
-    found.poses.push_back(rectification.getPose(i));
   return found;
 }
 

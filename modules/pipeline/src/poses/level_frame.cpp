@@ -158,6 +158,25 @@ firstPoseOf(const ObservationSequence& sequence)
   return Isometry3d::Identity();
 }
 
+std::vector<Isometry3d>
+rectifiedPoses(const LevelFrame& frame,
+               const ConsolidatedObservations& observations,
+               const Vector3d& up,
+               EntropyRectification<PointNormal>& rectification)
+{
+  const std::vector<Isometry3d>& given = observations.trajectory.poses;
+  rectification.setUpDirection(frame.up(up));
+  rectification.clear();
+  for (std::size_t i = 0; i < given.size(); ++i)
+    rectification.addPointCloud(
+        observations.clouds[i], frame.place(given[i]), observations.weights[i]);
+  rectification.compute();
+  std::vector<Isometry3d> poses;
+  for (std::size_t i = 0; i < given.size(); ++i)
+    poses.push_back(frame.inMap(rectification.getPose(i), given[i]));
+  return poses;
+}
+
 void
 moveTo(const Isometry3d& T_to_from, MappedPlanes& found)
 {

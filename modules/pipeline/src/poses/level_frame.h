@@ -1,8 +1,11 @@
 #pragma once
 
+#include <pcl/mapping/entropy_rectification.h>
 #include <pcl/pipeline/observation_sequence.h>
 #include <pcl/pipeline/plane_mapping_types.h>
 #include <pcl/pipeline/plane_sightings.h>
+#include <pcl/pipeline/sequence_consolidation.h>
+#include <pcl/point_types.h>
 
 #include <Eigen/Geometry>
 
@@ -71,6 +74,17 @@ readablePose(const ObservationSequence& sequence, std::size_t i);
 /** \brief The first pose that can be read; the identity if there is none. */
 Eigen::Isometry3d
 firstPoseOf(const ObservationSequence& sequence);
+
+/** \brief Rectifies level observations in a frame.
+ * \param[in] up unit, in their map
+ * \param[in,out] rectification with its settings; with its report afterwards
+ * \return T_map_sensor of each observation
+ * \throws what EntropyRectification::compute does */
+std::vector<Eigen::Isometry3d>
+rectifiedPoses(const LevelFrame& frame,
+               const ConsolidatedObservations& observations,
+               const Eigen::Vector3d& up,
+               EntropyRectification<PointNormal>& rectification);
 
 /** \brief What was found on a merged cloud, which has no one sensor, in another frame. */
 void
