@@ -27,6 +27,7 @@ egomotion and straightening of maps, as classes in the manner of PCL.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libacmap-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS nlohmann-json3-dev) # of core/fields_json.h alone
 set(CPACK_DEBIAN_DEV_DESCRIPTION "compact maps of noisy point clouds: headers
 What find_package (acmap) of CMake and pkg-config find.")
 

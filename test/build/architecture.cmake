@@ -31,6 +31,12 @@ foreach(kernel IN LISTS kernels)
   endforeach()
 endforeach()
 
+# doc/core/report.md says so to who links a program
+file(GLOB headers "${ROOT}/modules/*/include/pcl/*/*.h")
+list(FILTER headers EXCLUDE REGEX "/core/fields_json\\.h$")
+refuse_lines("no other public header needs nlohmann-json"
+             "include <(nlohmann/|pcl/core/(fields_json|impl/json_text)\\.h)" ${headers})
+
 file(READ "${ROOT}/doc/architecture.md" page)
 foreach(module IN LISTS acmap_modules)
   set(allowed core)
