@@ -259,6 +259,8 @@ joinedImages(const std::vector<fs::path>& depths,
         "together: took them in their order; lists rgb.txt and depth.txt, as "
         "TUM's, state others";
   }
+  if (pairs.empty())
+    throw EmptyInputException(place + ": has no depth image with a colour image");
   joined.are_times = unit > 0;
   for (const auto& [depth, color] : pairs) {
     NamedFrame named;

@@ -60,7 +60,8 @@ struct NamedFrames {
  * nearest times; else in their order if there are as many.
  * \param[in] gap seconds, maximum for times
  * \param[in] place folder, for messages
- * \throws InputFileException if nothing of that is possible */
+ * \throws InputFileException if nothing of that is possible
+ * \throws EmptyInputException if there is no depth image */
 NamedFrames
 joinedImages(const std::vector<std::filesystem::path>& depths,
              const std::vector<std::filesystem::path>& colors,

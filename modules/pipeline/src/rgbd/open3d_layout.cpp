@@ -2,8 +2,6 @@
 #include "rgbd/layouts.h"
 #include "rgbd/recorded_poses.h"
 
-#include <pcl/core/exceptions.h>
-
 #include <filesystem>
 
 namespace pcl::acmap {
@@ -69,8 +67,6 @@ openOpen3dSequence(const std::string& folder, const RgbdSequenceSettings& settin
                                    colorImagesIn(colorFolderIn(path)),
                                    settings.max_stamp_gap,
                                    folder);
-  if (named.frames.empty())
-    throw EmptyInputException(folder + ": has no depth image with a colour image");
   if (!settings.has_camera)
     takeCamera(path, sequence);
   if (settings.has_poses)

@@ -262,8 +262,6 @@ openRecord3dSequence(const std::string& folder, const RgbdSequenceSettings& sett
                                    colorImagesIn(findEntry(images, {"rgb"})),
                                    settings.max_stamp_gap,
                                    folder);
-  if (named.frames.empty())
-    throw EmptyInputException(folder + ": has no depth image with a colour image");
   const std::string path = record3dMetadata(folder).string();
   const YamlNode metadata = loadYaml(path);
   if (!settings.has_camera)

@@ -1,7 +1,6 @@
 #include "rgbd/layouts.h"
 #include "rgbd/recorded_poses.h"
 
-#include <pcl/core/exceptions.h>
 #include <pcl/core/impl/yaml_node.h>
 
 #include <filesystem>
@@ -90,9 +89,6 @@ openReplicaSequence(const std::string& folder, const RgbdSequenceSettings& setti
                                    colorImagesIn(images, "frame"),
                                    settings.max_stamp_gap,
                                    images.string());
-  if (named.frames.empty())
-    throw EmptyInputException(images.string() +
-                              ": has no depth image with a colour image");
   takeCamera(folder, settings.has_camera, sequence);
   if (settings.has_poses)
     takePosesOfFolder(folder, settings.max_stamp_gap, named, sequence);
