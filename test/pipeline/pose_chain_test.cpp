@@ -1,4 +1,4 @@
-#include "motion/pose_chain.h"
+#include "motion/odometry_run.h"
 
 #include <gmock/gmock.h>
 
