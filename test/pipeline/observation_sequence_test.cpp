@@ -136,6 +136,8 @@ TEST_F(Observations, WithPosesOfSomeAreThese)
   EXPECT_THROW(sequence.withPoses({2, 0}, two), BadArgumentException);
   EXPECT_THROW(sequence.withPoses({1, 1}, two), BadArgumentException);
   EXPECT_THROW(sequence.withPoses({0}, {}), BadArgumentException);
+  EXPECT_THROW(sequence.withPoses({}, {}), BadArgumentException)
+      << "who divides by its size need not ask";
 }
 
 TEST_F(Observations, HaveAFingerprintOfTheirFilesAndPoses)

@@ -274,6 +274,8 @@ ObservationSequence
 ObservationSequence::withPoses(const std::vector<std::size_t>& places,
                                Trajectory trajectory) const
 {
+  if (places.empty())
+    throw acmap::BadArgument("a sequence of no observations");
   if (trajectory.poses.size() != places.size())
     throw acmap::BadArgument("there are ",
                              trajectory.poses.size(),

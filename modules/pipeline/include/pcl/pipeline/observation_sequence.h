@@ -110,10 +110,10 @@ public:
    * these poses.
    *
    * Files of the result share memory with those of this sequence.
-   * \param[in] places indices of the observations, increasing
+   * \param[in] places indices of the observations, increasing, at least one
    * \param[in] trajectory their poses, metres
-   * \throws BadArgumentException if they differ in number, or a place is none of this
-   * sequence */
+   * \throws BadArgumentException if there are none, they differ in number, or a place is
+   * none of this sequence */
   ObservationSequence
   withPoses(const std::vector<std::size_t>& places, Trajectory trajectory) const;
 
