@@ -71,7 +71,9 @@ TEST_F(RgbdFolders, OfTumAreListed)
   const RgbdSequence sequence = open();
   EXPECT_EQ(sequence.layout, "TUM");
   EXPECT_TRUE(sequence.is_registered);
-  EXPECT_THAT(sequence.remarks, ElementsAre(HasSubstr("does not tell its camera")));
+  EXPECT_THAT(sequence.remarks,
+              ElementsAre(HasSubstr("does not tell its camera"),
+                          HasSubstr("scaled to the depth images' 8 x 6")));
   ASSERT_EQ(sequence.frames.size(), 2U);
   EXPECT_TRUE(loadPose(sequence.frames[1]).isApprox(posedAt(1), 1e-5));
   EXPECT_EQ(sequence.cameras().meaning.scale, 5000);
@@ -139,8 +141,10 @@ TEST_F(RgbdFolders, OfOpen3dMayHaveGaps)
   ASSERT_EQ(sequence.frames.size(), 3U);
   // by the number before its matrix
   EXPECT_TRUE(loadPose(sequence.frames[1]).isApprox(posedAt(2), 1e-12));
-  EXPECT_EQ(sequence.camera.fx, 525);
-  EXPECT_THAT(sequence.remarks, ElementsAre(HasSubstr("took Open3D's")));
+  EXPECT_EQ(sequence.camera.fx, 525.0 * 8 / 640);
+  EXPECT_THAT(sequence.remarks,
+              ElementsAre(HasSubstr("took Open3D's"),
+                          HasSubstr("scaled to the depth images' 8 x 6")));
 }
 
 TEST_F(RgbdFolders, OfOpen3dThatAreUglyAreRefused)
