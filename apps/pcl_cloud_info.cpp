@@ -7,11 +7,14 @@
 #include <pcl/core/impl/length_remarks.h>
 #include <pcl/core/impl/map_shift.h>
 #include <pcl/core/impl/size_text.h>
+#include <pcl/core/impl/unit_text.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -73,20 +76,36 @@ quoted(const std::string& word)
   return text + "'";
 }
 
-/** Options that state what the assessment could not find out. */
+/** Options that state what neither the file does nor the assessment could find out.
+ * \param[in] is_scale_stated by the caller */
 std::string
-optionsFor(const pcl::CloudAssessmentReport& report)
+optionsFor(const pcl::CloudAssessmentReport& report, bool is_scale_stated)
 {
-  std::string options;
+  if (is_scale_stated)
+    return " --scale " + unitText(report.unit.value);
+  return report.unit.outcome == pcl::UnitOutcome::Doubtful ? " --scale 0.001" : "";
+}
+
+/** Remarks on lengths, but not on a unit that is stated. */
+std::vector<std::string>
+remarksOn(const pcl::CloudRows& rows, const pcl::CloudAssessmentReport& report)
+{
+  std::vector<std::string> remarks = lengthRemarks(requirePoints(rows), report.spacing);
   if (report.unit.outcome == pcl::UnitOutcome::Stated)
-    options += " --scale " + shortNumber(report.unit.value);
-  else if (report.unit.outcome == pcl::UnitOutcome::Doubtful)
-    options += " --scale 0.001";
-  return options;
+    remarks.erase(std::remove_if(remarks.begin(),
+                                 remarks.end(),
+                                 [](const std::string& remark) {
+                                   return remark.find("--scale") != remark.npos;
+                                 }),
+                  remarks.end());
+  return remarks;
 }
 
 void
-tell(const std::string& input, const pcl::CloudAssessmentReport& report, StageLog& log)
+tell(const std::string& input,
+     bool is_scale_stated,
+     const pcl::CloudAssessmentReport& report,
+     StageLog& log)
 {
   log.tell("points", describePoints(report));
   if (report.finite_points == 0)
@@ -102,7 +121,7 @@ tell(const std::string& input, const pcl::CloudAssessmentReport& report, StageLo
            report.spacing > 0 ? shortNumber(1000 * report.spacing) + " mm" : "none");
   tellAssessment(report, log);
   log.tell("colours", describeColors(report));
-  const std::string words = quoted(input) + optionsFor(report);
+  const std::string words = quoted(input) + optionsFor(report, is_scale_stated);
   log.tell("planes", "pcl_plane_extraction " + words + " planes.json");
   log.tell("map", "pcl_compact_mapping " + words + " -o map");
   log.tell("picture", "pcl_compact_viewer " + words);
@@ -140,7 +159,8 @@ main(int argc, char** argv)
     assessment.setProgressCallback(tool.controls().progress);
     assessment.compute();
     tool.log().warn(file->remarks);
-    tool.log().warn(lengthRemarks(requirePoints(rows), assessment.getReport().spacing));
-    tell(input, assessment.getReport(), tool.log());
+    const pcl::CloudAssessmentReport& report = assessment.getReport();
+    tool.log().warn(remarksOn(rows, report));
+    tell(input, tool.options().count("--scale") > 0, report, tool.log());
   });
 }

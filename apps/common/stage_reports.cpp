@@ -1,5 +1,7 @@
 #include "stage_reports.h"
 
+#include <pcl/core/impl/unit_text.h>
+
 #include <cstdio>
 
 namespace pcl::acmap {
@@ -103,7 +105,7 @@ describe(const CloudAssessmentReport::Unit& unit)
 {
   switch (unit.outcome) {
   case UnitOutcome::Stated:
-    return shortNumber(unit.value) + " m, stated";
+    return unitText(unit.value) + " m, stated";
   case UnitOutcome::Assumed:
     return "metres, assumed (" + unit.evidence + "); --scale states another";
   case UnitOutcome::Doubtful:

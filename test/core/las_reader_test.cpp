@@ -5,6 +5,7 @@
 
 #include <pcl/core/impl/cloud_fields.h>
 #include <pcl/core/point_cloud_file.h>
+#include <pcl/core/point_cloud_reader.h>
 
 #include <gmock/gmock.h>
 
@@ -12,6 +13,8 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <string>
+#include <vector>
 
 namespace pcl::acmap::test {
 namespace {
@@ -120,6 +123,159 @@ TEST(LasReader, PointsThatWereNotMeasuredDoNotDecideTheShift)
               testing::Contains(HasSubstr("1 of its points are at (0, 0, 0)")));
 }
 
+/** \brief A record of a reference system, behind the header of LAS 1.2. */
+std::string
+projectionRecord(std::uint16_t number, const std::string& content)
+{
+  std::string record(54, '\0');
+  std::memcpy(&record[2], "LASF_Projection", 15);
+  std::memcpy(&record[18], &number, sizeof number);
+  const auto size = static_cast<std::uint16_t>(content.size());
+  std::memcpy(&record[20], &size, sizeof size);
+  return record + content;
+}
+
+std::string
+geoKeys(const std::vector<std::array<std::uint16_t, 4>>& keys)
+{
+  std::string text(8, '\0');
+  for (const auto& key : keys)
+    text.append(reinterpret_cast<const char*>(key.data()), sizeof key);
+  return text;
+}
+
+/** \brief A LAS 1.2 whose points are (0, 1, 2) mm and so on of its unit, with records. */
+LasFile
+lasWithRecords(const std::string& records)
+{
+  LasFile las(2, 0);
+  const std::size_t header = 227;
+  las.bytes.insert(header, records);
+  las.set(96, static_cast<std::uint32_t>(header + records.size() + 10));
+  return las;
+}
+
+const std::string projected_in_feet =
+    R"(PROJCS["here",GEOGCS["GCS",UNIT["degree",0.0174532925199433]],)"
+    R"(PARAMETER["false_easting",1312335.958],UNIT["US survey foot", 0.3048006096012192,)"
+    R"(AUTHORITY["EPSG","9003"]],AXIS["E",EAST]])";
+
+/** \brief What reads the record, and metres of a unit of x and y, and of z. */
+struct UnitRecord {
+  std::string record;
+  double across, up;
+};
+
+TEST(LasReader, UnitsOfItsRecordsBecomeMetres)
+{
+  const double us_foot = 1200.0 / 3937;
+  double own = 0.5;
+  const std::string numbers(reinterpret_cast<const char*>(&own), sizeof own);
+  for (const UnitRecord& unit : std::vector<UnitRecord>{
+           {projectionRecord(34735, geoKeys({{1024, 0, 1, 1}, {3076, 0, 1, 9001}})),
+            1,
+            1},
+           {projectionRecord(34735, geoKeys({{3076, 0, 1, 9002}})), 0.3048, 0.3048},
+           {projectionRecord(34735, geoKeys({{3076, 0, 1, 9003}, {4099, 0, 1, 9001}})),
+            us_foot,
+            1},
+           {projectionRecord(34735,
+                             geoKeys({{3076, 0, 1, 32767}, {3077, 34736, 1, 0}})) +
+                projectionRecord(34736, numbers),
+            0.5,
+            0.5},
+           {projectionRecord(2112, projected_in_feet), us_foot, us_foot},
+           {projectionRecord(2112,
+                             R"(COMPD_CS["both",PROJCS["m",UNIT["metre",1]],)"
+                             R"(VERT_CS["h",VERT_DATUM["d",2005],UNIT["ft",0.3048]]])"),
+            1,
+            0.3048},
+           {projectionRecord(2112,
+                             R"(PROJCRS["new",CONVERSION["c",PARAMETER["e",1,)"
+                             R"(LENGTHUNIT["metre",1]]],CS[Cartesian,2],)"
+                             R"(AXIS["e",east,LENGTHUNIT["foot",0.3048]]])"),
+            0.3048,
+            0.3048}}) {
+    const LasFile las = lasWithRecords(unit.record);
+    const TemporaryFolder folder;
+    const PointCloudFile file = loadFrom(folder, las);
+    ASSERT_TRUE(file.stated_scale);
+    EXPECT_NEAR(*file.stated_scale, unit.across, 1e-8);
+    for (std::size_t i = 0; i < las.points; ++i) {
+      const Eigen::Vector3d expected = las.position(i).cwiseProduct(
+          Eigen::Vector3d(unit.across, unit.across, unit.up));
+      EXPECT_LT((file.points()[i].cast<double>() - expected).norm(), 1e-6);
+    }
+    EXPECT_EQ(file.remarks.size(), unit.across == 1 && unit.up == 1 ? 0U : 1U);
+  }
+}
+
+TEST(LasReader, StatedScalesHoldAgainstItsRecords)
+{
+  const TemporaryFolder folder;
+  const LasFile las = lasWithRecords(projectionRecord(2112, projected_in_feet));
+  PointCloudReader reader;
+  reader.setScale(1);
+  const PointCloudFile file = reader.read(folder.write("cloud.las", las.bytes));
+  EXPECT_LT((file.points()[3].cast<double>() - las.position(3)).norm(), 1e-6);
+}
+
+TEST(LasReader, DegreesAreRefused)
+{
+  const TemporaryFolder folder;
+  const std::string geographic = R"(GEOGCS["WGS 84",UNIT["degree",0.017453292519943]])";
+  for (const std::string& record :
+       {projectionRecord(2112, geographic),
+        projectionRecord(34735, geoKeys({{1024, 0, 1, 2}, {2054, 0, 1, 9102}}))}) {
+    LasFile las = lasWithRecords(record);
+    EXPECT_THAT([&] { loadFrom(folder, las); },
+                testing::ThrowsMessage<InputFileException>(HasSubstr("degrees")));
+    las.set(179, 635000.0); // the bounds show another system
+    EXPECT_EQ(loadFrom(folder, las).points().size(), las.points);
+  }
+}
+
+TEST(LasReader, DamagedRecordsTellNoUnit)
+{
+  const TemporaryFolder folder;
+  for (const std::string& record :
+       {projectionRecord(2112, "PROJCS[UNIT[\"foot\""),
+        projectionRecord(2112, "UNIT[\"foot\",0.3]]]]"),
+        projectionRecord(2112, "PROJCS[\"x\",UNIT[\"foot\",1e300]]"),
+        projectionRecord(2112, std::string(3000, '[')),
+        projectionRecord(34735, geoKeys({{3076, 0, 1, 9002}})).substr(0, 60),
+        projectionRecord(34735, geoKeys({{3077, 34736, 1, 65535}})),
+        std::string(20, '\1')}) {
+    const LasFile las = lasWithRecords(record);
+    const PointCloudFile file = loadFrom(folder, las);
+    EXPECT_FALSE(file.stated_scale) << record;
+    EXPECT_LT((file.points()[3].cast<double>() - las.position(3)).norm(), 1e-6);
+  }
+}
+
+/** Writers of streams, and those that were killed, leave the number at 0. */
+TEST(LasReader, PointsAreCountedThatItsHeaderDoesNotClaim)
+{
+  const TemporaryFolder folder;
+  for (const int minor : {2, 4}) {
+    LasFile las(minor, 0);
+    las.set<std::uint32_t>(107, 0);
+    if (minor >= 4)
+      las.set<std::uint64_t>(247, 0);
+    las.bytes += "end"; // of a point
+    const PointCloudFile file = loadFrom(folder, las);
+    ASSERT_EQ(file.points().size(), las.points);
+    EXPECT_LT((file.points()[4].cast<double>() - las.position(4)).norm(), 1e-6);
+    EXPECT_THAT(file.remarks, testing::ElementsAre(HasSubstr("claims no points, 5")));
+  }
+  LasFile las(4, 0);
+  las.set<std::uint64_t>(247, 0);
+  las.set<std::uint64_t>(235, las.at(2)); // what follows are records
+  EXPECT_EQ(loadFrom(folder, las).points().size(), 2U);
+  las.set<std::uint64_t>(235, las.at(0));
+  EXPECT_EQ(loadFrom(folder, las).points().size(), 0U);
+}
+
 TEST(LasReader, UglyFilesAreRefusedWithTheirFault)
 {
   const TemporaryFolder folder;
@@ -202,8 +358,11 @@ TEST(LasReader, FilesOfOthersHaveTheirBounds)
       std::memcpy(&count, &header[247], sizeof count);
     EXPECT_EQ(file.points().size(), count) << name;
     Eigen::AlignedBox3d box;
+    const double unit = file.stated_scale.value_or(1);
+    const bool has_feet_up = name == std::string("autzen-bmx-2010.las");
+    const Eigen::Vector3d metres(unit, unit, has_feet_up ? 1200.0 / 3937 : unit);
     for (std::size_t i = 0; i < file.points().size(); ++i)
-      box.extend(file.points()[i].cast<double>() + file.shift);
+      box.extend((file.points()[i].cast<double>() + file.shift).cwiseQuotient(metres));
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       const double step =
           std::max(std::abs(number(131 + 8 * static_cast<std::size_t>(axis))), 0.001);

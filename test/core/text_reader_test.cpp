@@ -93,6 +93,8 @@ TEST(TextReader, NamesDecide)
            {"; of a survey\n% in metres\n1;2;3\n4;5;6\n", "x, y, z"},
            {"1,0;2,0;3\n4,0;5;6,0\n", "x, y, z, with decimal commas"},
            {"1,2,3,\n4,5,6,\n", "x, y, z"},
+           {"1|2|3\n4|5|6\n", "x, y, z"},
+           {"Nr|X|Y|Z\na 1|1.0|2.0|3.0\nb 1|4.0|5.0|6.0\n", "Nr (left out), x, y, z"},
            {"1 1.0 2.0 3.5\n", "x, y, z, column 4 (left out)"}}) {
     const PointCloudFile file = loadText("a.csv", text);
     EXPECT_EQ(file.columns, told) << text;
@@ -118,6 +120,31 @@ TEST(TextReader, MakesMetresOfTheUnitInNames)
       reader.read(folder.write("a.csv", "x [ft],y [ft],z [ft]\n1,2,3\n4,5,6\n")));
   EXPECT_THROW(loadText("a.csv", "x [m],y [m],z [mm]\n1,2,3\n4,5,6\n"),
                InputFileException);
+}
+
+TEST(TextReader, MarksOfThousandsAreNoSeparators)
+{
+  for (const char* text :
+       {"2'600'123.5;-1'200.25;512.0\n2'600'124.5;1'200;1'512\n",
+        "2'600'123.5 -1'200.25 512.0\n2'600'124.5 1'200 1'512\n",
+        "2\xe2\x80\x99"
+        "600\xe2\x80\x99"
+        "123.5\t-1\xe2\x80\x99"
+        "200.25\t512\n2600124.5\t1200\t1512\n",
+        "2 600 123,5;-1 200,25;512,0\n2 600 124,5;1 200;1 512\n",
+        "2\xc2\xa0"
+        "600\xc2\xa0"
+        "123.5|-1200.25|512\n2600124.5|1200|1512\n",
+        "2 600 123.5\t-1 200.25\t512.0\n2600124.5\t1 200\t1512\n",
+        "X|Y|Z\n2'600'123,5|-1'200,25|512,0\n2600124,5|1200|1512\n"}) {
+    const PointCloudFile file = loadText("a.txt", text);
+    ASSERT_EQ(file.points().size(), 2U) << text;
+    EXPECT_EQ(file.shift, Eigen::Vector3d(2600000, 0, 0)) << text;
+    EXPECT_EQ(file.points()[0], Eigen::Vector3f(123.5F, -1200.25F, 512)) << text;
+    EXPECT_EQ(file.points()[1], Eigen::Vector3f(124.5F, 1200, 1512)) << text;
+  }
+  EXPECT_THROW(loadText("a.txt", "2'60'123 1 2\n3 4 5\n"), InputFileException);
+  expectOneToSix(loadText("a.txt", "1 2 3 100 200 300\n4 5 6 100 200 300\n"));
 }
 
 std::string

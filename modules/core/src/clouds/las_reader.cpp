@@ -1,6 +1,9 @@
 #include "clouds/coordinate_shift.h"
+#include "clouds/las_records.h"
 #include "clouds/point_cloud_readers.h"
 #include "files/byte_source.h"
+
+#include <pcl/core/impl/unit_text.h>
 
 #include <Eigen/Core>
 
@@ -45,10 +48,36 @@ valueAt(const char* bytes, std::size_t offset)
 }
 
 struct LasHeader {
-  std::uint64_t header_bytes = 0, first_point = 0, points = 0;
+  std::uint64_t first_point = 0, points = 0;
+  std::uint64_t points_end = 0; ///< no point is behind it
   std::size_t format = 0, record_bytes = 0;
+  LasRecords records, extended_records;
   Eigen::Vector3d scale, offset;
+  Eigen::Vector2d farthest; ///< bounds of x and y, absolute
 };
+
+/** \brief Takes format, size and number of the points from the bytes of a header.
+ * \throws InputFileException for points that are packed or unknown */
+void
+readPointFormat(const char* bytes, bool is_1_4, LasHeader& header, ByteSource& source)
+{
+  const auto format = static_cast<std::uint8_t>(bytes[104]);
+  constexpr std::uint8_t packed = 0xC0; // bits that LASzip sets
+  if ((format & packed) != 0)
+    source.fail(packedAdvice(source.name()));
+  if (format >= las_records.size())
+    source.fail("has points of format " + std::to_string(format) +
+                ", 0 to 10 are known");
+  header.format = format;
+  header.record_bytes = valueAt<std::uint16_t>(bytes, 105);
+  if (header.record_bytes < las_records[header.format].bytes)
+    source.fail("claims points of " + std::to_string(header.record_bytes) +
+                " bytes, those of format " + std::to_string(format) + " have " +
+                std::to_string(las_records[header.format].bytes));
+  header.points = valueAt<std::uint32_t>(bytes, 107);
+  if (const auto count = valueAt<std::uint64_t>(bytes, 247); is_1_4 && count > 0)
+    header.points = count;
+}
 
 /** \throws InputFileException for what is no LAS file, or packed */
 LasHeader
@@ -65,32 +94,27 @@ readLasHeader(ByteSource& source)
   if (major != 1 || minor < 0 || minor > 5)
     source.fail("is LAS " + std::to_string(major) + "." + std::to_string(minor) +
                 ", 1.0 to 1.5 are read");
-  LasHeader header;
-  header.header_bytes = shortest;
   const bool is_1_4 = minor >= 4 && valueAt<std::uint16_t>(bytes.data(), 94) >= of_1_4;
   if (is_1_4) {
     if (source.remaining() < of_1_4 - shortest)
       source.fail("is shorter than its header");
     source.read(bytes.data() + shortest, of_1_4 - shortest);
-    header.header_bytes = of_1_4;
   }
+  LasHeader header;
   header.first_point = valueAt<std::uint32_t>(bytes.data(), 96);
-  const auto format = static_cast<std::uint8_t>(bytes[104]);
-  constexpr std::uint8_t packed = 0xC0; // bits that LASzip sets
-  if ((format & packed) != 0)
-    source.fail(packedAdvice(source.name()));
-  if (format >= las_records.size())
-    source.fail("has points of format " + std::to_string(format) +
-                ", 0 to 10 are known");
-  header.format = format;
-  header.record_bytes = valueAt<std::uint16_t>(bytes.data(), 105);
-  if (header.record_bytes < las_records[header.format].bytes)
-    source.fail("claims points of " + std::to_string(header.record_bytes) +
-                " bytes, those of format " + std::to_string(format) + " have " +
-                std::to_string(las_records[header.format].bytes));
-  header.points = valueAt<std::uint32_t>(bytes.data(), 107);
-  if (const auto count = valueAt<std::uint64_t>(bytes.data(), 247); is_1_4 && count > 0)
-    header.points = count;
+  if (header.first_point < (is_1_4 ? of_1_4 : shortest))
+    source.fail("claims points within its header");
+  if (header.first_point > source.size())
+    source.fail("ends before its points");
+  header.records = {
+      valueAt<std::uint16_t>(bytes.data(), 94), header.first_point, false};
+  header.points_end = source.size();
+  if (const auto begin = valueAt<std::uint64_t>(bytes.data(), 235);
+      is_1_4 && begin >= header.first_point && begin < source.size()) {
+    header.extended_records = {begin, source.size(), true};
+    header.points_end = begin;
+  }
+  readPointFormat(bytes.data(), is_1_4, header, source);
   for (int axis = 0; axis < 3; ++axis) {
     header.scale[axis] = valueAt<double>(bytes.data(), 131 + 8 * axis);
     header.offset[axis] = valueAt<double>(bytes.data(), 155 + 8 * axis);
@@ -98,8 +122,10 @@ readLasHeader(ByteSource& source)
   if (!header.scale.allFinite() || !header.offset.allFinite() ||
       (header.scale.array() == 0).any())
     source.fail("has a scale or an offset that is no number");
-  if (header.first_point < header.header_bytes)
-    source.fail("claims points within its header");
+  for (int axis = 0; axis < 2; ++axis)
+    header.farthest[axis] =
+        std::max(std::abs(valueAt<double>(bytes.data(), 179 + 16 * axis)),
+                 std::abs(valueAt<double>(bytes.data(), 187 + 16 * axis)));
   return header;
 }
 
@@ -257,6 +283,53 @@ readRecords(ByteSource& source,
                });
 }
 
+/** \brief Counts the points of a file whose header was written before them. */
+void
+countStreamedPoints(LasHeader& header, PointCloudFile& file)
+{
+  if (header.points > 0)
+    return;
+  const std::uint64_t bytes = header.points_end - header.first_point;
+  header.points = bytes / header.record_bytes;
+  if (header.points > 0)
+    file.remarks.push_back(
+        "its header claims no points, " + std::to_string(header.points) +
+        " follow: it was probably not closed" +
+        (bytes % header.record_bytes > 0 ? ", and the last one is incomplete" : ""));
+}
+
+/** \brief Makes metres of the units that the file states, unless the caller states one. Heights
+ * without a unit have that of x and y.
+ * \throws InputFileException for degrees */
+void
+useUnitsOfFile(LasHeader& header,
+               const CloudStatement& stated,
+               ByteSource& source,
+               PointCloudFile& file)
+{
+  if (stated.is_scale_stated)
+    return;
+  CoordinateUnits units = unitsOfRecords(header.records, source);
+  if (!units.across && !units.are_degrees)
+    units = unitsOfRecords(header.extended_records, source);
+  if (units.are_degrees && !(header.farthest.x() > 360) && !(header.farthest.y() > 90))
+    source.fail("has degrees of latitude and longitude: project them to metres first");
+  const auto isLength = [](double metres) { return metres > 1e-4 && metres < 1e4; };
+  if (!units.across || !isLength(*units.across))
+    return;
+  const double across = *units.across;
+  const double up = units.up && isLength(*units.up) ? *units.up : across;
+  const Eigen::Vector3d metres(across, across, up);
+  file.stated_scale = across;
+  header.scale = header.scale.cwiseProduct(metres);
+  header.offset = header.offset.cwiseProduct(metres);
+  if (across != 1 || up != 1)
+    file.remarks.push_back(
+        "it states its units: " + unitText(across) + " m" +
+        (up == across ? "" : ", of its heights " + unitText(up) + " m") +
+        " were taken for 1; --scale states another");
+}
+
 } // namespace
 
 PointCloudFile
@@ -264,14 +337,14 @@ readLas(ByteSource& source,
         LargeVector<std::uint8_t>* rows,
         const CloudStatement& stated)
 {
-  const LasHeader header = readLasHeader(source);
-  if (source.remaining() < header.first_point - header.header_bytes)
-    source.fail("ends before its points");
-  source.skip(header.first_point - header.header_bytes);
+  LasHeader header = readLasHeader(source);
+  PointCloudFile file;
+  countStreamedPoints(header, file);
+  useUnitsOfFile(header, stated, source, file);
+  source.moveTo(header.first_point);
   requirePointsFit(header.points, header.record_bytes, source);
   const bool has_color = las_records[header.format].color > 0;
   const FieldLayout layout = planLayout(lasFields(has_color), source);
-  PointCloudFile file;
   describeCloud(file.cloud, layout, header.points, 1);
   CoordinateCheck check(true, stated.scale);
   file.up = Eigen::Vector3f::UnitZ();

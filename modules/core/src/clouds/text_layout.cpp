@@ -1,5 +1,6 @@
 #include "clouds/text_layout.h"
 
+#include "clouds/digit_groups.h"
 #include "clouds/field_names.h"
 #include "files/text_number.h"
 
@@ -129,15 +130,17 @@ splitRow(std::string_view line,
          TextLayout::Separators separators,
          std::vector<std::string_view>& fields)
 {
+  using Separators = TextLayout::Separators;
   fields.clear();
-  if (separators == TextLayout::Separators::Commas)
-    return splitStrictly(line, ',', fields);
-  if (separators == TextLayout::Separators::Semicolons)
-    return splitStrictly(line, ';', fields);
+  for (const auto& [strict, separator] : {std::pair{Separators::Commas, ','},
+                                          std::pair{Separators::Semicolons, ';'},
+                                          std::pair{Separators::Bars, '|'},
+                                          std::pair{Separators::Tabs, '\t'}})
+    if (separators == strict)
+      return splitStrictly(line, separator, fields);
   Words words(line,
-              separators == TextLayout::Separators::Blanks
-                  ? Words::Separators::blanks
-                  : Words::Separators::blanks_and_commas);
+              separators == Separators::Blanks ? Words::Separators::blanks
+                                               : Words::Separators::blanks_and_commas);
   for (std::string_view word; words.next(word);)
     fields.push_back(trimmed(word));
 }
@@ -146,10 +149,11 @@ bool
 parseField(std::string_view field, bool has_decimal_comma, double& value)
 {
   const std::size_t comma = has_decimal_comma ? field.find(',') : field.npos;
-  if (comma == std::string_view::npos)
-    return parseNumber(field, value);
-  std::string text(field);
-  text[comma] = '.';
+  if (comma == field.npos && parseNumber(field, value))
+    return true;
+  std::string text = withoutGroups(field).value_or(std::string(field));
+  if (comma != field.npos)
+    text[text.find(',')] = '.';
   return parseNumber(text, value);
 }
 

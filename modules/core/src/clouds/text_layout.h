@@ -30,10 +30,12 @@ inline constexpr std::size_t text_roles = 11;
 /** \brief How the rows of a text are to be read. */
 struct TextLayout {
   enum class Separators {
-    Any,       ///< blanks, tabs, commas, semicolons, each as often as it likes
-    Blanks,    ///< blanks and tabs
-    Commas,    ///< one between two fields
-    Semicolons ///< one between two fields
+    Any,        ///< blanks, tabs, commas, semicolons, bars, each as often as it likes
+    Blanks,     ///< blanks and tabs
+    Commas,     ///< one between two fields
+    Semicolons, ///< one between two fields
+    Bars,       ///< one between two fields
+    Tabs        ///< one between two fields
   };
 
   Separators separators = Separators::Any;
@@ -63,7 +65,7 @@ splitRow(std::string_view line,
          TextLayout::Separators separators,
          std::vector<std::string_view>& fields);
 
-/** \brief Reads a number that may have a decimal comma. */
+/** \brief Reads a number that may have a decimal comma, and marks of thousands. */
 bool
 parseField(std::string_view field, bool has_decimal_comma, double& value);
 

@@ -125,7 +125,8 @@ takeNames(std::string_view line,
   for (const Separators separators : {layout.separators,
                                       Separators::Any,
                                       Separators::Commas,
-                                      Separators::Semicolons}) {
+                                      Separators::Semicolons,
+                                      Separators::Bars}) {
     std::vector<std::string_view> names;
     splitRow(line, separators, names);
     std::vector<std::string_view> units;
@@ -217,7 +218,7 @@ isTextRow(std::string_view line)
     const std::size_t begin = word.find_first_not_of("\"'");
     word.remove_prefix(std::min(begin, word.size()));
     word = word.substr(0, word.find_last_not_of("\"'") + 1);
-    numbers += parseNumber(word, value) ? 1 : 0;
+    numbers += parseField(word, false, value) ? 1 : 0;
   }
   return numbers == 3;
 }

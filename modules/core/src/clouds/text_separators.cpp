@@ -1,3 +1,4 @@
+#include "clouds/digit_groups.h"
 #include "clouds/text_columns.h"
 #include "files/byte_source.h"
 #include "files/text_number.h"
@@ -63,7 +64,7 @@ public:
   {
     std::size_t words = 0;
     while (!row.empty() && is_within_) {
-      const std::size_t end = row.find_first_of(" \t;");
+      const std::size_t end = row.find_first_of(" \t;|");
       if (const std::string_view word = row.substr(0, end); !word.empty()) {
         ++words;
         addWord(word);
@@ -90,16 +91,17 @@ public:
 
 private:
   void
-  addWord(std::string_view word)
+  addWord(std::string_view written)
   {
-    if (word.find(',') == word.npos)
+    if (written.find(',') == written.npos)
       return;
+    const std::string word = withoutGroups(written).value_or(std::string(written));
     any_ = true;
     const bool decimal = hasDecimalComma(word), groups = hasGroups(word);
     if (!decimal && !groups && word.find('.') > word.find(','))
       is_within_ = false;
     if (example_.empty() || groups)
-      example_ = word;
+      example_ = written;
     decimal_ = decimal_ || (decimal && !groups);
     groups_ = groups_ || groups;
     mixed_ = mixed_ || !decimal;
@@ -124,6 +126,8 @@ isSeparator(char separator,
       return false;
     splitRow(row, separators, fields);
     for (const std::string_view field : fields) {
+      if (withoutGroups(field))
+        continue;
       double value = 0;
       const std::size_t end = field.find_first_of(" \t,;");
       const bool is_one = end == field.npos || field.find_first_of(" \t;", end) == end;
@@ -157,6 +161,21 @@ refuseDigitColumns(const TextHead& head, const ByteSource& source)
         "with decimal points");
 }
 
+/** Are there numbers whose thousands are marked by blanks? */
+bool
+hasBlankGroups(TextLayout::Separators separators,
+               const std::vector<std::string_view>& rows)
+{
+  std::vector<std::string_view> fields;
+  for (const std::string_view row : rows) {
+    splitRow(row, separators, fields);
+    for (const std::string_view field : fields)
+      if (field.find(' ') != field.npos && withoutGroups(field))
+        return true;
+  }
+  return false;
+}
+
 } // namespace
 
 void
@@ -171,6 +190,11 @@ findSeparators(const TextHead& head, TextLayout& layout, const ByteSource& sourc
     layout.separators = Separators::Blanks;
   if (isSeparator(';', Separators::Semicolons, head.rows))
     layout.separators = Separators::Semicolons;
+  else if (isSeparator('|', Separators::Bars, head.rows))
+    layout.separators = Separators::Bars;
+  else if (isSeparator('\t', Separators::Tabs, head.rows) &&
+           hasBlankGroups(Separators::Tabs, head.rows))
+    layout.separators = Separators::Tabs;
   else if (layout.has_decimal_commas)
     return;
   else if (isSeparator(',', Separators::Commas, head.rows)) {

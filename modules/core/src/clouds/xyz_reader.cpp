@@ -4,7 +4,7 @@
 #include "files/text_number.h"
 
 #include <pcl/PCLPointField.h>
-#include <pcl/core/impl/size_text.h>
+#include <pcl/core/impl/unit_text.h>
 
 #include <algorithm>
 #include <array>
@@ -199,7 +199,7 @@ scaleToMetres(const TextLayout& layout,
     return;
   for (double& place : table.places)
     place *= *layout.unit;
-  file.remarks.push_back("its columns name their unit: " + shortNumber(*layout.unit) +
+  file.remarks.push_back("its columns name their unit: " + unitText(*layout.unit) +
                          " m were taken for 1; --scale states another");
 }
 

@@ -42,7 +42,7 @@ private:
   {
     std::array<std::uint8_t, 256> kinds{};
     kinds[' '] = kinds['\t'] = kinds['\r'] = blank;
-    kinds[','] = kinds[';'] = comma;
+    kinds[','] = kinds[';'] = kinds['|'] = comma;
     return kinds;
   }
 
