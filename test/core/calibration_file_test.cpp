@@ -110,6 +110,67 @@ const std::string middlebury = "cam0=[500 0 322.5; 0 500 238.25; 0 0 1]\n"
                                "doffs=31\nbaseline=120\nwidth=640\nheight=480\n"
                                "ndisp=70\n";
 
+/** A section of ROS' ost.txt. */
+std::string
+ostText(const std::string& name, const std::string& offset)
+{
+  return "# oST version 5.0 parameters\n\n\n[image]\n\nwidth\n640\n\nheight\n480\n\n[" +
+         name + R"(]
+
+camera matrix
+500.000000  0.000000 322.500000
+0.000000 500.000000 238.250000
+0.000000 0.000000 1.000000
+
+distortion
+0.000000 0.000000 0.000000 0.000000 0.000000
+
+rectification
+1.000000 0.000000 0.000000
+0.000000 1.000000 0.000000
+0.000000 0.000000 1.000000
+
+projection
+500.000000 0.000000 322.500000 )" +
+         offset + R"(
+0.000000 500.000000 238.250000 0.000000
+0.000000 0.000000 1.000000 0.000000
+
+)";
+}
+
+const std::string stella = R"(Camera:
+  name: "pair"
+  setup: "stereo"
+  model: "perspective"
+  fx: 500.0
+  fy: 500.0
+  cx: 322.5
+  cy: 238.25
+  k1: 0.0
+  cols: 640
+  rows: 480
+  focal_x_baseline: 60.0
+)";
+
+const std::string camodocal = R"(%YAML:1.0
+---
+model_type: PINHOLE
+camera_name: camera
+image_width: 640
+image_height: 480
+distortion_parameters:
+   k1: 0.0
+   k2: 0.0
+   p1: 0.0
+   p2: 0.0
+projection_parameters:
+   fx: 500
+   fy: 500
+   cx: 322.5
+   cy: 238.25
+)";
+
 RigImages
 imagesOf(int width = 640, int height = 480)
 {
@@ -168,6 +229,12 @@ TEST(CalibrationFile, AllKindsStateTheSamePair)
       {opencv},
       {orb_slam},
       {kitti},
+      {ostText("left", "0"), ostText("right", "-60")},
+      {ostText("narrow_stereo/left", "0") + ostText("narrow_stereo/right", "-60")},
+      {stella},
+      {replaced(replaced(orb_slam, "Camera.bf", "Camera.focal_x_baseline"),
+                "DepthMapFactor",
+                "depthmap_factor")},
       {R"({"fx": 500, "fy": 500, "cx": 322.5, "cy": 238.25, "baseline": 0.12})"},
       {"500 0 322.5 0 500 238.25 0 0 1\n0.12\n"},
       {"[500, 0, 322.5,\n 0, 500, 238.25,\n 0, 0, 1]\r\n0.12 # metres\n"},
@@ -208,6 +275,9 @@ TEST(CalibrationFile, OneCameraIsReadFromAllKinds)
       orb_slam,
       kitti,
       middlebury,
+      ostText("camera", "0"),
+      stella,
+      camodocal,
       "500 500 322.5 238.25\n",
       "500 0 322.5 0\n0 500 238.25 0\n0 0 1 0\n0 0 0 1\n",
       R"({"width": 640, "height": 480,
@@ -308,6 +378,10 @@ TEST(CalibrationFile, OtherModelsAreRefusedByName)
     EXPECT_THAT(faultOf({replaced(kalibr, "radtan", model)}), HasSubstr(model));
   for (const std::string model : {"omni", "ds", "eucm"})
     EXPECT_THAT(faultOf({replaced(kalibr, "pinhole", model)}), HasSubstr(model));
+  EXPECT_THAT(faultOf({replaced(camodocal, "PINHOLE", "KANNALA_BRANDT")}),
+              HasSubstr("KANNALA_BRANDT"));
+  EXPECT_THAT(faultOf({replaced(stella, "perspective", "fisheye")}),
+              HasSubstr("fisheye"));
   EXPECT_THAT(faultOf({replaced(orb_slam, "PinHole", "KannalaBrandt8")}),
               HasSubstr("KannalaBrandt8"));
   EXPECT_THAT(faultOf({replaced(replaced(cameraInfo("left", "0"), "cols: 5", "cols: 8"),
@@ -326,6 +400,7 @@ TEST(CalibrationFile, UnitsAreAsked)
   images.baseline = 0.12;
   expectPair(rigOfTexts({replaced(opencv, "-0.12", "-120")}, images));
   expectPair(rigOfTexts({"500 500 322.5 238.25\n"}, images));
+  expectPair(rigOfTexts({camodocal, camodocal}, images));
 }
 
 TEST(CalibrationFile, ImagesOfAnotherSize)
@@ -354,6 +429,8 @@ TEST(CalibrationFile, FaultsAreNamed)
   EXPECT_THAT(faultOf({"500 500 322.5 238.25\n"}), HasSubstr("--baseline"));
   EXPECT_THAT(faultOf({"1 2 3\n"}), HasSubstr("has 3 numbers"));
   EXPECT_THAT(faultOf({"a: 1\n"}), HasSubstr("no calibration that is known"));
+  EXPECT_THAT(faultOf({"[LEFT_CAM_HD]\nfx=500\nfy=500\n"}),
+              HasSubstr("numbers alone, as fx fy cx cy"));
   EXPECT_THAT(faultOf({"<?xml version=\"1.0\"?><opencv_storage/>"}), HasSubstr("XML"));
   EXPECT_THAT(faultOf({replaced(kalibr, "500.0", ".nan")}), HasSubstr("'.nan'"));
   EXPECT_THAT(faultOf({replaced(kalibr, "500.0", "-500.0")}), HasSubstr("-500"));

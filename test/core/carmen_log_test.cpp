@@ -245,6 +245,9 @@ TEST(CarmenLog, FilesWithoutScansAreRefused)
   EXPECT_THAT(faultOf("F"), HasSubstr("has no FLASER"));
   EXPECT_THAT(faultOf("# FLASER 2 1 2 0 0 0 0 0 0 0 h 0\nODOM 0 0\n"),
               HasSubstr("has no FLASER message"));
+  EXPECT_THAT(
+      faultOf("ODOM 1 2 3 0 0 0 4 h 4\nRAWLASER1 0 1\nRAWLASER1 0 2\n"),
+      HasSubstr("ROBOTLASER1 message, but ODOM, RAWLASER1: scans without poses"));
   EXPECT_THAT(faultOf(gzipped("")), HasSubstr("is empty"));
   Random random(1);
   std::string garbage;

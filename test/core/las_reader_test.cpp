@@ -220,6 +220,17 @@ TEST(LasReader, StatedScalesHoldAgainstItsRecords)
   EXPECT_LT((file.points()[3].cast<double>() - las.position(3)).norm(), 1e-6);
 }
 
+TEST(LasReader, ReferenceSystemsWithoutAUnitAreTold)
+{
+  const TemporaryFolder folder;
+  const PointCloudFile file =
+      loadFrom(folder,
+               lasWithRecords(projectionRecord(
+                   34735, geoKeys({{1024, 0, 1, 1}, {3072, 0, 1, 2263}}))));
+  EXPECT_FALSE(file.stated_scale);
+  EXPECT_THAT(file.remarks, testing::ElementsAre(HasSubstr("EPSG:2263")));
+}
+
 TEST(LasReader, DegreesAreRefused)
 {
   const TemporaryFolder folder;

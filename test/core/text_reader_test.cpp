@@ -107,7 +107,8 @@ TEST(TextReader, MakesMetresOfTheUnitInNames)
 {
   for (const char* text : {"X [mm];Y [mm];Z [mm]\n1000;2000;3000\n4000;5000;6000\n",
                            "x (cm)\ty (cm)\tz (cm)\n100\t200\t300\n400\t500\t600\n",
-                           "X,Y,Z\nmm,mm,mm\n1000,2000,3000\n4000,5000,6000\n"}) {
+                           "X,Y,Z\nmm,mm,mm\n1000,2000,3000\n4000,5000,6000\n",
+                           "x_mm,y_mm,z_mm\n1000,2000,3000\n4000,5000,6000\n"}) {
     const PointCloudFile file = loadText("a.csv", text);
     expectOneToSix(file);
     EXPECT_THAT(file.remarks, ElementsAre(HasSubstr("--scale"))) << text;
@@ -118,8 +119,28 @@ TEST(TextReader, MakesMetresOfTheUnitInNames)
   reader.setScale(1);
   expectOneToSix(
       reader.read(folder.write("a.csv", "x [ft],y [ft],z [ft]\n1,2,3\n4,5,6\n")));
+  const PointCloudFile feet =
+      loadText("a.csv", "E (US ft),N (US ft),H (US ft)\n3937,0,0\n0,3937,0\n");
+  EXPECT_FLOAT_EQ(feet.points()[0].x(), 1200);
+  const PointCloudFile rods =
+      loadText("a.csv", "x (rods),y (rods),z (rods)\n1,2,3\n4,5,6\n");
+  expectOneToSix(rods);
+  EXPECT_THAT(rods.remarks, testing::Contains(HasSubstr("is in 'rods'")));
   EXPECT_THROW(loadText("a.csv", "x [m],y [m],z [mm]\n1,2,3\n4,5,6\n"),
                InputFileException);
+}
+
+TEST(TextReader, ColumnsOfSurveysAreTold)
+{
+  const PointCloudFile file = loadText("a.txt", "Nr Y X Z\n9 2 1 3\n7 5 4 6\n");
+  expectOneToSix(file);
+  EXPECT_THAT(file.remarks, ElementsAre(HasSubstr("--columns")));
+}
+
+TEST(TextReader, TheLastColumnsMayBeEmpty)
+{
+  expectOneToSix(loadText("a.csv", "x,y,z,note\n1,2,3,\n4,5,6,\n"));
+  EXPECT_THROW(loadText("a.csv", "x,y,note,z\n1,2,3,\n4,5,6,\n"), InputFileException);
 }
 
 TEST(TextReader, MarksOfThousandsAreNoSeparators)

@@ -78,7 +78,12 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
       requirePose(readRosOdometry(bytes, "input", serialization).T_parent_child);
       break;
     case 5:
-      requirePose(readRosPose(bytes, "input", serialization).T_parent_child);
+      if (data[0] % 16 == 5) {
+        requirePose(readRosPose(bytes, "input", serialization).T_parent_child);
+        break;
+      }
+      for (const RosTransform& pose : readRosPath(bytes, "input", serialization))
+        requirePose(pose.T_parent_child);
       break;
     case 7:
       if (!std::isfinite(readRosScan(bytes, "input", serialization).angle_step))

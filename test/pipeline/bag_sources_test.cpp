@@ -254,6 +254,42 @@ TEST(SensorMounting, ACameraWhoseBodyIsTrackedLooksAhead)
   EXPECT_THAT(sequence.remarks(), Contains(HasSubstr("assumed that camera_color")));
 }
 
+/** Poses that a tracker or a SLAM program has recorded of the camera itself. */
+TEST(SensorMounting, PosesOfAllTypesAreTaken)
+{
+  const TemporaryFolder folder;
+  const auto poseBytes = [](double stamp, const Eigen::Isometry3d& pose) {
+    return Ros1Bytes().addHeader(stamp, "world").addPose(pose).bytes;
+  };
+  ImageBag stamped("camera", ""), covariant("camera", ""), path("camera", ""),
+      transforms("camera", "");
+  Ros1Bytes all;
+  all.addHeader(begin, "world").add(std::uint32_t{3});
+  for (int i = 0; i < 3; ++i) {
+    const double stamp = begin + 0.5 * i;
+    const std::string pose = poseBytes(stamp, drivenAt(i));
+    stamped.bag().add("/pose", "geometry_msgs/PoseStamped", stamp, pose);
+    covariant.bag().add("/pose",
+                        "geometry_msgs/PoseWithCovarianceStamped",
+                        stamp,
+                        pose + std::string(36 * sizeof(double), '\0'));
+    all.bytes += pose;
+    transforms.bag().add(
+        "/vicon/camera",
+        "geometry_msgs/TransformStamped",
+        stamp,
+        odometryMessage<Ros1Bytes>(stamp, "world", "camera", drivenAt(i)));
+  }
+  path.bag().add("/path", "nav_msgs/Path", begin + 2, all.bytes);
+  for (ImageBag* const bag : {&stamped, &covariant, &path}) {
+    const ObservationSequence sequence(openBag(bag->write(folder)));
+    expectPoses(sequence, Eigen::Isometry3d::Identity());
+    EXPECT_THAT(sequence.remarks(), Contains(HasSubstr("took the poses of /p")));
+  }
+  expectPoses(ObservationSequence(openBag(transforms.write(folder))),
+              Eigen::Isometry3d::Identity());
+}
+
 TEST(SensorMounting, WheelsAreNotWhatIsTracked)
 {
   const TemporaryFolder folder;
@@ -318,7 +354,16 @@ TEST(BagTopicList, TellsWhatIsThereAndWhatReadsIt)
                   "sensor_msgs/Image",
                   1,
                   imageMessage<Ros1Bytes>(1, "c", 1, 1, "16UC1", "\1\1"));
-  EXPECT_THAT(fault(depth_alone), HasSubstr("depth images in /depth, but no colours"));
+  EXPECT_THAT(fault(depth_alone),
+              AllOf(HasSubstr("depth images in /depth, but no colours"),
+                    HasSubstr("point_cloud_xyz")));
+  Ros1Writer stereo;
+  for (const char* topic : {"/left/image_rect", "/right/image_rect"})
+    stereo.add(topic,
+               "sensor_msgs/Image",
+               1,
+               imageMessage<Ros1Bytes>(1, "c", 1, 1, "mono8", "\1"));
+  EXPECT_THAT(fault(stereo), HasSubstr("stereo_image_proc"));
   odd.add("/color",
           "sensor_msgs/Image",
           1,

@@ -330,6 +330,106 @@ TEST_F(RgbdLayouts, ThatAreNotReadNameTheCommand)
   std::filesystem::remove_all(folder_.path("depth"));
   folder_.write("scene.sens", "");
   EXPECT_THAT(fault(), HasSubstr("SensReader"));
+  std::filesystem::remove(folder_.path("scene.sens"));
+  folder_.write("output.mkv", "");
+  EXPECT_THAT(fault(), HasSubstr("azure_kinect_mkv_reader"));
+}
+
+TEST_F(RgbdLayouts, HaveTheirCameraInFilesOfManyNames)
+{
+  createFolders({"rgb", "depth"});
+  writeColor("rgb/0.png", 0);
+  writeDepth("depth/0.png", 0);
+  const std::string matrix = "10 0 3.5\n0 20 2.5\n0 0 1\n";
+  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+           {"cam_K.txt", matrix},
+           {"intrinsics.txt", matrix},
+           {"K.txt", "10 20 3.5 2.5\n"},
+           {"camera.yaml",
+            "image_width: 8\nimage_height: 6\ndistortion_model: plumb_bob\n"
+            "camera_matrix: [10, 0, 3.5, 0, 20, 2.5, 0, 0, 1]\n"},
+           {"camera_intrinsic.json",
+            R"({"width": 16, "height": 12, "intrinsic_matrix": )"
+            R"([20, 0, 0, 0, 40, 0, 7.5, 5.5, 1]})"}}) {
+    folder_.write(name, text);
+    const RgbdSequence sequence = open();
+    EXPECT_EQ(sequence.camera.fx, 10) << name;
+    EXPECT_EQ(sequence.camera.fy, 20) << name;
+    EXPECT_EQ(sequence.camera.cx, 3.5) << name;
+    EXPECT_EQ(sequence.camera.cy, 2.5) << name;
+    EXPECT_THAT(sequence.remarks, Not(Contains(HasSubstr("tells the camera")))) << name;
+    std::filesystem::remove(folder_.path(name));
+  }
+  folder_.write("K.txt", "10 20\n");
+  EXPECT_THAT(fault(), HasSubstr("K.txt"));
+}
+
+/** nerfstudio's and Polycam's files have frames in any order. */
+TEST_F(RgbdLayouts, OfNerfstudioHaveCamerasThatLookBackward)
+{
+  createFolders({"images", "depth"});
+  std::string frames;
+  for (const int frame : {2, 0, 1}) {
+    const std::string number = "0000" + std::to_string(frame + 7);
+    writeColor("images/" + number + ".png", frame);
+    writeDepth("depth/" + number + ".png", frame);
+    const Eigen::Isometry3d turned =
+        posedAt(frame) * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
+    std::ostringstream rows;
+    rows.precision(17);
+    for (int row = 0; row < 4; ++row)
+      rows << (row > 0 ? ", [" : "[") << turned.matrix()(row, 0) << ", "
+           << turned.matrix()(row, 1) << ", " << turned.matrix()(row, 2) << ", "
+           << turned.matrix()(row, 3) << "]";
+    frames += (frames.empty() ? "" : ", ") + (R"({"file_path": "images/)" + number) +
+              R"(.png", "transform_matrix": [)" + rows.str() + "]}";
+  }
+  const std::string text =
+      R"({"fl_x": 10, "fl_y": 20, "cx": 3.5, "cy": 2.5, "w": 8, "h": 6, "frames": [)" +
+      frames + "]}";
+  folder_.write("transforms.json", text);
+  const RgbdSequence sequence = open();
+  EXPECT_THAT(sequence.remarks, IsEmpty());
+  EXPECT_EQ(sequence.camera.fy, 20);
+  ASSERT_EQ(sequence.frames.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    expectPose(sequence.frames[i], static_cast<int>(i));
+    EXPECT_EQ(loadRgbImage(sequence.frames[i].color).values[2], i);
+  }
+  folder_.write("transforms.json", R"({"fl_x": 10, "fl_y": 20, "cx": 3.5, "cy": 2.5,
+      "frames": [{"file_path": "7.png", "transform_matrix": [[2, 0, 0, 0]]}]})");
+  EXPECT_THAT(fault(), HasSubstr("transforms.json: line 2"));
+}
+
+/** 3RScan, VoxelHashing and early exports of ScanNet. */
+TEST_F(RgbdLayouts, OfSevenScenesMayHaveTheirCamerasInAnInfo)
+{
+  writeColor("frame-000000.color.png", 0, 3);
+  writeDepth("frame-000000.depth.png", 0);
+  folder_.write("frame-000000.pose.txt",
+                rowText(posedAt(0), 1) + rowText(posedAt(0), 1));
+  folder_.write(
+      "_info.txt",
+      "m_versionNumber = 4\nm_sensorName = some phone\nm_depthWidth = 8\n"
+      "m_depthHeight = 6\nm_depthShift = 500\n"
+      "m_calibrationColorIntrinsic = 30 0 10.5 0 0 60 7.5 0 0 0 1 0 0 0 0 1\n"
+      "m_calibrationDepthIntrinsic = 10 0 3.5 0 0 20 2.5 0 0 0 1 0 0 0 0 1\n");
+  const RgbdSequence sequence = open();
+  EXPECT_EQ(sequence.depth_scale, 500);
+  EXPECT_EQ(sequence.camera.fy, 20);
+  EXPECT_THAT(sequence.remarks, IsEmpty());
+  ASSERT_TRUE(sequence.color_camera);
+  EXPECT_EQ(sequence.color_camera->pinhole.fx, 30);
+  EXPECT_EQ(loadRgbdObservation(sequence.frames[0], sequence.cameras()).cloud.width,
+            8U);
+  folder_.write("_info.txt", "m_depthShift = 500\n");
+  EXPECT_THAT(fault(), HasSubstr("m_calibrationDepthIntrinsic"));
+}
+
+TEST_F(RgbdLayouts, AboveARecordingNameIt)
+{
+  createFolders({"seq-01/rgb", "seq-01/depth", "empty"});
+  EXPECT_THAT(fault(), HasSubstr("has one: " + folder_.path("seq-01")));
 }
 
 TEST_F(RgbdLayouts, WithTurnedColorsAreRefused)

@@ -554,6 +554,23 @@ readRosPose(std::string_view bytes,
   return transform;
 }
 
+std::vector<RosTransform>
+readRosPath(std::string_view bytes,
+            const std::string& name,
+            RosSerialization serialization)
+{
+  acmap::RosCursor cursor(bytes, name, serialization);
+  cursor.header();
+  std::vector<RosTransform> poses;
+  for (std::uint32_t left = cursor.count(); left > 0; --left) {
+    RosTransform pose;
+    pose.header = cursor.header();
+    pose.T_parent_child = cursor.pose();
+    poses.push_back(std::move(pose));
+  }
+  return poses;
+}
+
 Eigen::Isometry3d
 readRosBareTransform(std::string_view bytes,
                      const std::string& name,

@@ -37,13 +37,15 @@ constexpr CalibrationKind rig_kind{
     readRig};
 
 /** \brief The table of conventions; the first kind that a file is of is read. */
-const std::array<const CalibrationKind*, 12> kinds = {&rig_kind,
+const std::array<const CalibrationKind*, 14> kinds = {&rig_kind,
                                                       &plain_matrix_kind,
                                                       &kalibr_kind,
                                                       &middlebury_kind,
                                                       &euroc_kind,
                                                       &orb_slam_kind,
                                                       &orb_slam3_kind,
+                                                      &stella_kind,
+                                                      &camodocal_kind,
                                                       &kitti_raw_kind,
                                                       &kitti_kind,
                                                       &camera_info_kind,
@@ -79,6 +81,8 @@ yamlOf(const std::string& name, const std::string& text)
                                     "writes the same as .yml");
   if (hasOnlyNumbers(text))
     return yamlOfNumbers(text);
+  if (isOstText(text))
+    return yamlOfOst(text);
   const std::size_t camera = head.find("cam0");
   const bool is_first = camera == first || (camera != 0 && camera < head.size() &&
                                             head[camera - 1] == '\n');
@@ -110,12 +114,29 @@ someKeys(const YamlNode& map)
   return text;
 }
 
+constexpr const char* numbers_advice =
+    "; numbers alone, as fx fy cx cy in a text, are read, too, and --baseline states "
+    "where the neighbour is";
+
+/** \throws InputFileException for what is no YAML either, as INI files and arrays */
+YamlNode
+documentOf(const std::string& name, const std::string& text)
+{
+  const std::string yaml = yamlOf(name, text);
+  try {
+    return parseYaml(name, yaml);
+  }
+  catch (const InputFileException& fault) {
+    throw InputFileException(fault.what() + std::string(numbers_advice));
+  }
+}
+
 } // namespace
 
 Calibration
 readCalibration(const std::string& name, const std::string& text)
 {
-  const YamlNode map = parseYaml(name, yamlOf(name, text));
+  const YamlNode map = documentOf(name, text);
   for (const CalibrationKind* const kind : kinds) {
     if (!kind->is(map))
       continue;
@@ -128,7 +149,8 @@ readCalibration(const std::string& name, const std::string& text)
     return calibration;
   }
   throw InputFileException(name + ": is no calibration that is known (" +
-                           namesOfKinds() + "); its keys are " + someKeys(map));
+                           namesOfKinds() + "); its keys are " + someKeys(map) +
+                           numbers_advice);
 }
 
 namespace {
@@ -169,8 +191,8 @@ loadCalibrations(const std::vector<std::string>& paths)
   for (const std::string& path : paths)
     texts.push_back(textOfCalibration(path));
   if (paths.size() == 2) {
-    const YamlNode first = parseYaml(paths[0], yamlOf(paths[0], texts[0]));
-    const YamlNode second = parseYaml(paths[1], yamlOf(paths[1], texts[1]));
+    const YamlNode first = documentOf(paths[0], texts[0]);
+    const YamlNode second = documentOf(paths[1], texts[1]);
     if (areOpenCvHalves(first, second) || areOpenCvHalves(second, first))
       return {readCalibration(paths[0], bodyOf(texts[0]) + bodyOf(texts[1]))};
   }

@@ -24,6 +24,8 @@ extern const CalibrationKind kalibr_kind;
 extern const CalibrationKind euroc_kind;
 extern const CalibrationKind orb_slam_kind;
 extern const CalibrationKind orb_slam3_kind;
+extern const CalibrationKind stella_kind;
+extern const CalibrationKind camodocal_kind;
 extern const CalibrationKind kitti_kind;
 extern const CalibrationKind kitti_raw_kind;
 extern const CalibrationKind camera_info_kind;
@@ -46,6 +48,14 @@ loadCalibrations(const std::vector<std::string>& paths);
 /** \brief Rewrites `key=[1 2 3; 4 5 6]`, the lines of Middlebury's calib.txt, as YAML. */
 std::string
 yamlOfMiddlebury(const std::string& text);
+
+/** \brief Does a text have the sections of ROS' camera_calibration, ost.txt? */
+bool
+isOstText(const std::string& text);
+
+/** \brief Rewrites ost.txt, of one camera or of two, as YAML. */
+std::string
+yamlOfOst(const std::string& text);
 
 /** \brief Rewrites a file of nothing but numbers as YAML with the key `numbers`. */
 std::string

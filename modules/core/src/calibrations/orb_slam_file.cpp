@@ -73,8 +73,32 @@ readOrbSlam(const YamlNode& map, Calibration& calibration)
   }
   const CalibratedView view = readOrbSlamCamera(map, "Camera.");
   calibration.cameras.push_back(orbSlamCamera(view));
-  if (isUndistorted(view) && map.find("Camera.bf"))
-    addNeighbour(orbSlamValue(map, "Camera.bf") / view.camera.focal_x, calibration);
+  for (const char* const key : {"Camera.bf", "Camera.focal_x_baseline"})
+    if (isUndistorted(view) && map.find(key))
+      addNeighbour(orbSlamValue(map, key) / view.camera.focal_x, calibration);
+}
+
+bool
+isStella(const YamlNode& map)
+{
+  const YamlNode* const camera = map.find("Camera");
+  return camera && camera->kind() == YamlNode::Kind::map && camera->find("fx");
+}
+
+/** The keys of ORB-SLAM in a map of their own. */
+void
+readStella(const YamlNode& map, Calibration& calibration)
+{
+  const YamlNode& camera = map.at("Camera");
+  CalibratedView view = readOrbSlamCamera(camera, "");
+  readSize(camera, "cols", "rows", view);
+  if (const YamlNode* const model = camera.find("model");
+      model && model->text() != "perspective")
+    setDistortion(model->text(), {}, *model, view.camera);
+  calibration.cameras.push_back(orbSlamCamera(view));
+  if (isUndistorted(view) && camera.find("focal_x_baseline"))
+    addNeighbour(orbSlamValue(camera, "focal_x_baseline") / view.camera.focal_x,
+                 calibration);
 }
 
 bool
@@ -107,6 +131,13 @@ const CalibrationKind orb_slam_kind{
     "Camera.bf is the baseline in metres times fx, the reference is the left camera",
     isOrbSlam,
     readOrbSlam};
+
+const CalibrationKind stella_kind{
+    "stella_vslam's settings",
+    "focal_x_baseline is the baseline in metres times fx, the reference is the left "
+    "camera",
+    isStella,
+    readStella};
 
 const CalibrationKind orb_slam3_kind{
     "ORB-SLAM3's settings",

@@ -7,9 +7,10 @@ namespace pcl::acmap {
 
 /** \brief Units of the coordinates of a reference system. */
 struct CoordinateUnits {
-  std::optional<double> across; ///< metres in a unit of x and y; none: not told
-  std::optional<double> up;     ///< metres in a unit of the heights; none: not told
-  bool are_degrees = false;     ///< x and y are longitude and latitude
+  std::optional<double> across;   ///< metres in a unit of x and y; none: not told
+  std::optional<double> up;       ///< metres in a unit of the heights; none: not told
+  bool are_degrees = false;       ///< x and y are longitude and latitude
+  std::optional<unsigned> system; ///< EPSG's number, where no unit is told
 };
 
 /** \brief Units of a reference system in well-known text, of version 1 or 2.

@@ -13,6 +13,7 @@ namespace {
 /** \brief The keys that tell units, by the numbers of the specification of GeoTIFF. */
 enum GeoKey : std::uint16_t {
   ModelType = 1024,
+  ProjectedSystem = 3072,
   ProjectedUnit = 3076,
   ProjectedUnitSize = 3077,
   VerticalUnit = 4099
@@ -48,7 +49,7 @@ CoordinateUnits
 unitsOfGeoKeys(std::string_view directory, std::string_view numbers)
 {
   constexpr std::size_t shorts = 4; // of an entry: key, tag, count, value
-  constexpr std::uint16_t number_tag = 34736, geographic = 2;
+  constexpr std::uint16_t number_tag = 34736, geographic = 2, of_user = 32767;
   CoordinateUnits units;
   std::optional<double> size;
   for (std::size_t entry = 1;
@@ -61,6 +62,10 @@ unitsOfGeoKeys(std::string_view directory, std::string_view numbers)
     switch (at(0)) {
     case ModelType:
       units.are_degrees = value == geographic;
+      break;
+    case ProjectedSystem:
+      if (value != of_user)
+        units.system = value;
       break;
     case ProjectedUnit:
       units.across = metresOfCode(value);
@@ -81,6 +86,8 @@ unitsOfGeoKeys(std::string_view directory, std::string_view numbers)
   }
   if (!units.across)
     units.across = size;
+  if (units.across)
+    units.system.reset();
   return units;
 }
 

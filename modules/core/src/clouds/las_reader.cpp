@@ -310,8 +310,12 @@ useUnitsOfFile(LasHeader& header,
   if (stated.is_scale_stated)
     return;
   CoordinateUnits units = unitsOfRecords(header.records, source);
-  if (!units.across && !units.are_degrees)
+  if (!units.across && !units.are_degrees && !units.system)
     units = unitsOfRecords(header.extended_records, source);
+  if (units.system)
+    file.remarks.push_back(
+        "names its reference system, EPSG:" + std::to_string(*units.system) +
+        ", but no unit: metres were taken; --scale states another");
   if (units.are_degrees && !(header.farthest.x() > 360) && !(header.farthest.y() > 90))
     source.fail("has degrees of latitude and longitude: project them to metres first");
   const auto isLength = [](double metres) { return metres > 1e-4 && metres < 1e4; };

@@ -83,12 +83,22 @@ plainText(std::string_view text)
   return plain;
 }
 
+/** Where the unit of a name begins, as of x_mm and X (ft); npos without one. */
+std::size_t
+unitBegin(std::string_view name)
+{
+  const std::size_t bracket = name.find_first_of("[("), bar = name.rfind('_');
+  if (bracket != name.npos || bar == name.npos)
+    return bracket;
+  return metresInUnit(name.substr(bar + 1)) ? bar : name.npos;
+}
+
 /** The same of a name without its unit. */
 std::string
 plainName(std::string_view name)
 {
   name = trimmed(name);
-  return plainText(name.substr(0, name.find_first_of("[(")));
+  return plainText(name.substr(0, unitBegin(name)));
 }
 
 } // namespace
@@ -189,8 +199,7 @@ roleOfName(std::string_view name)
     if (lower == spelling)
       return role;
   for (const char axis : {'x', 'y', 'z'})
-    for (const char* form :
-         {"?_coord", "coord_?", "coord?", "?coord", "pos_?", "?_m"}) {
+    for (const char* form : {"?_coord", "coord_?", "coord?", "?coord", "pos_?"}) {
       std::string spelling(form);
       std::replace(spelling.begin(), spelling.end(), '?', axis);
       if (lower == spelling)
@@ -233,18 +242,31 @@ roleOfForeignName(std::string_view name)
 std::optional<double>
 metresInUnit(std::string_view unit)
 {
-  static constexpr std::pair<std::string_view, double> units[] = {{"m", 1},
-                                                                  {"meter", 1},
-                                                                  {"meters", 1},
-                                                                  {"metre", 1},
-                                                                  {"metres", 1},
-                                                                  {"mm", 0.001},
-                                                                  {"cm", 0.01},
-                                                                  {"ft", 0.3048},
-                                                                  {"feet", 0.3048},
-                                                                  {"in", 0.0254},
-                                                                  {"inch", 0.0254},
-                                                                  {"inches", 0.0254}};
+  constexpr double us_foot = 1200.0 / 3937;
+  static constexpr std::pair<std::string_view, double> units[] = {
+      {"m", 1},
+      {"meter", 1},
+      {"meters", 1},
+      {"metre", 1},
+      {"metres", 1},
+      {"mm", 0.001},
+      {"cm", 0.01},
+      {"km", 1000},
+      {"ft", 0.3048},
+      {"foot", 0.3048},
+      {"feet", 0.3048},
+      {"us ft", us_foot},
+      {"usft", us_foot},
+      {"us-ft", us_foot},
+      {"ftus", us_foot},
+      {"ft us", us_foot},
+      {"us feet", us_foot},
+      {"survey feet", us_foot},
+      {"us survey foot", us_foot},
+      {"us survey feet", us_foot},
+      {"in", 0.0254},
+      {"inch", 0.0254},
+      {"inches", 0.0254}};
   const std::string plain = plainText(unit);
   for (const auto& [spelling, metres] : units)
     if (plain == spelling)
@@ -255,9 +277,12 @@ metresInUnit(std::string_view unit)
 std::string_view
 unitOfName(std::string_view name)
 {
-  const std::size_t begin = name.find_first_of("[(");
+  name = trimmed(name);
+  const std::size_t begin = unitBegin(name);
   if (begin == std::string_view::npos)
     return {};
+  if (name[begin] == '_')
+    return name.substr(begin + 1);
   const std::size_t end = name.find_first_of("])", begin);
   return end == std::string_view::npos ? std::string_view()
                                        : name.substr(begin + 1, end - begin - 1);

@@ -82,7 +82,7 @@ roleOfForeignName(std::string_view name);
 std::optional<double>
 metresInUnit(std::string_view unit);
 
-/** \brief The unit in brackets behind a name; empty without brackets. */
+/** \brief The unit behind a name, in brackets or behind a low line; empty without one. */
 std::string_view
 unitOfName(std::string_view name);
 

@@ -105,12 +105,35 @@ takeUnit(const std::vector<std::string_view>& units,
     const bool is_place =
         layout.roles[i] >= TextRole::X && layout.roles[i] <= TextRole::Z;
     const std::optional<double> metres = metresInUnit(units[i]);
+    if (is_place && !metres && !units[i].empty())
+      layout.remarks.push_back("its column " + inQuotes(layout.names[i]) + " is in " +
+                               inQuotes(units[i]) +
+                               ", which is no unit that is known: metres were taken; "
+                               "--scale states another");
     if (!is_place || !metres)
       continue;
     if (layout.unit && *layout.unit != *metres)
       source.fail("names several units of its coordinates: write them in one");
     layout.unit = metres;
   }
+}
+
+/** Surveys of some countries name the east y and the north x, in this order. */
+void
+tellOrder(TextLayout& layout)
+{
+  constexpr std::array<char, 3> of_surveys = {'y', 'x', 'z'};
+  const auto is = [](const std::string& name, char letter) {
+    return name.size() == 1 && (name[0] | 0x20) == letter;
+  };
+  if (std::search(layout.names.begin(),
+                  layout.names.end(),
+                  of_surveys.begin(),
+                  of_surveys.end(),
+                  is) != layout.names.end())
+    layout.remarks.emplace_back(
+        "its columns are y, x, z: if y is the east, as of surveys, the cloud is "
+        "mirrored, and --columns with x in the place of y states it");
 }
 
 /** \brief Takes a line as the names of the columns.
@@ -151,12 +174,18 @@ takeNames(std::string_view line,
         return false; // other separators stand within names
       continue;
     }
+    while (separators != Separators::Any && separators != Separators::Blanks &&
+           named.roles.size() > columns && named.roles.back() == TextRole::None) {
+      named.roles.pop_back(); // of a column that is empty in all rows
+      named.names.pop_back();
+    }
     if (std::any_of(counts.begin() + 1, counts.end(), [](auto n) { return n > 1; }) ||
-        names.size() > columns)
+        named.roles.size() > columns)
       source.fail("names its columns " + inQuotes(line) + ", its rows have " +
                   std::to_string(columns) +
                   ": --columns x,y,z says what they are, - leaves one out");
     leaveOutParts(named);
+    tellOrder(named);
     takeUnit(units, named, source);
     named.roles.resize(columns, TextRole::None);
     layout = std::move(named);

@@ -17,6 +17,7 @@
 #include <limits>
 #include <locale>
 #include <new>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -304,6 +305,30 @@ otherSweepOf(std::size_t beams)
   return 0;
 }
 
+// What a log has instead of scans, for a message.
+class MessageKinds {
+public:
+  void
+  add(std::string_view kind)
+  {
+    constexpr std::size_t most = 8;
+    if (kinds_.size() < most)
+      kinds_.insert(acmap::inPrint(kind, 20));
+  }
+
+  std::string
+  told() const
+  {
+    std::string text;
+    for (const std::string& kind : kinds_)
+      text += (text.empty() ? ", but " : ", ") + kind;
+    return text + (kinds_.count("RAWLASER1") > 0 ? ": scans without poses" : "");
+  }
+
+private:
+  std::set<std::string> kinds_;
+};
+
 // Sets the beams of FLASER messages, and tells what is odd of them.
 class Sweeps {
 public:
@@ -432,6 +457,7 @@ acmap::readCarmenLog(ByteSource& source, std::optional<double> sweep)
   CarmenLog log;
   Sweeps sweeps(sweep);
   std::vector<PlanarScan> robot_scans;
+  MessageKinds others;
   for (std::string_view line; source.readLine(line);) {
     Words words(line);
     std::string_view kind;
@@ -446,15 +472,17 @@ acmap::readCarmenLog(ByteSource& source, std::optional<double> sweep)
       sweeps.takeParameter(words);
     if (kind == "ROBOTLASER1" && log.scans.empty())
       robot_scans.push_back(readRobotScan(words, source));
-    else
+    else {
       ++log.other_messages;
+      others.add(kind);
+    }
   }
   if (log.scans.empty())
     log.scans = std::move(robot_scans); // otherwise they are the same scans again
   else
     log.other_messages += robot_scans.size();
   if (log.scans.empty())
-    source.fail("has no FLASER message and no ROBOTLASER1 message");
+    source.fail("has no FLASER message and no ROBOTLASER1 message" + others.told());
   excludeMissingEchoes(log.scans);
   return log;
 }

@@ -193,7 +193,11 @@ private:
     std::string fault =
         depths.empty()
             ? "has neither depth images with colour images nor PointCloud2"
-            : "has depth images in " + depths.front().topic->name + ", but no colours";
+            : "has depth images in " + depths.front().topic->name +
+                  ", but no colours: depth_image_proc's point_cloud_xyz publishes "
+                  "PointCloud2";
+    if (depths.empty() && topics_.ofType("sensor_msgs/Image").size() > 1)
+      fault += "; of a stereo pair, stereo_image_proc publishes PointCloud2";
     for (const std::string& reason : unused_)
       fault += "; " + reason;
     for (const auto& [type, advice] : conversions)

@@ -41,6 +41,7 @@ BagTopics::BagTopics(const std::string& path)
   listTopics();
   takeTransforms();
   takeOdometry();
+  takeSingleTransforms();
 }
 
 void
@@ -78,16 +79,31 @@ BagTopics::takeOdometry()
 {
   std::vector<std::string> taken;
   for (const BagTopic* topic : ofType("nav_msgs/Odometry")) {
-    const std::string child =
-        read(*topic, topic->messages.front(), readRosOdometry).child;
-    const bool is_known = tree_.hasParent(child);
-    if (!is_known && std::count(taken.begin(), taken.end(), child) == 0) {
-      taken.push_back(child);
-      for (const BagMessage& message : topic->messages)
-        tree_.add(read(*topic, message, readRosOdometry), false);
-    }
-    tree_.setTracked(child);
+    addUnlessKnown(*topic, taken);
+    tree_.setTracked(read(*topic, topic->messages.front(), readRosOdometry).child);
   }
+}
+
+/** Motion capture publishes the transform of each body on a topic of its own. */
+void
+BagTopics::takeSingleTransforms()
+{
+  std::vector<std::string> taken;
+  for (const BagTopic* topic : ofType("geometry_msgs/TransformStamped"))
+    addUnlessKnown(*topic, taken);
+}
+
+/** \brief Adds the poses of a topic of Odometry, or of TransformStamped, which begins alike.
+ * \param[in,out] taken frames that such topics have */
+void
+BagTopics::addUnlessKnown(const BagTopic& topic, std::vector<std::string>& taken)
+{
+  const std::string child = read(topic, topic.messages.front(), readRosOdometry).child;
+  if (tree_.hasParent(child) || std::count(taken.begin(), taken.end(), child) > 0)
+    return;
+  taken.push_back(child);
+  for (const BagMessage& message : topic.messages)
+    tree_.add(read(topic, message, readRosOdometry), false);
 }
 
 std::vector<const BagTopic*>

@@ -113,6 +113,12 @@ private:
   void
   takeOdometry();
 
+  void
+  takeSingleTransforms();
+
+  void
+  addUnlessKnown(const BagTopic& topic, std::vector<std::string>& taken);
+
   BagFile bag_;
   std::map<std::string, BagTopic> topics_;
   FrameTree tree_;

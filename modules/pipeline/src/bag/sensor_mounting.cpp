@@ -3,6 +3,8 @@
 #include <pcl/core/exceptions.h>
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace pcl::acmap {
 
@@ -27,6 +29,12 @@ areOfOneDevice(const std::string& tracked, const std::string& sensor)
   return device.empty() || sensor.rfind(device + "_", 0) == 0 || sensor == device;
 }
 
+/** \brief Poses of a topic that does not name what has them. */
+struct FramelessPoses {
+  std::string topic;
+  std::vector<RosTransform> poses;
+};
+
 /** \brief Finds where the sensor is on what moves. */
 class Mounting {
 public:
@@ -49,9 +57,9 @@ public:
   connect()
   {
     const std::string tracked = topics_.tree().trackedFrame(root_);
-    const BagTopic* const poses = topics_.largestOf("geometry_msgs/PoseStamped");
-    if (poses && poses->messages.size() >= topics_.tree().posesOf(tracked)) {
-      takePoses(*poses);
+    const FramelessPoses found = framelessPoses();
+    if (!found.poses.empty() && found.poses.size() >= topics_.tree().posesOf(tracked)) {
+      takePoses(found);
       return true;
     }
     if (tracked.empty() && topics_.tree().posesOf(tracked) == 0)
@@ -96,13 +104,34 @@ private:
     return frame == root_ ? "" : ", the uppermost frame above " + frame;
   }
 
+  /** \brief The most poses that a topic has; of paths, those of the last one, which has all
+   * before. */
+  FramelessPoses
+  framelessPoses() const
+  {
+    FramelessPoses found;
+    for (const char* type :
+         {"geometry_msgs/PoseStamped", "geometry_msgs/PoseWithCovarianceStamped"})
+      if (const BagTopic* const topic = topics_.largestOf(type);
+          topic && topic->messages.size() > found.poses.size()) {
+        found = {topic->name, {}};
+        for (const BagMessage& message : topic->messages)
+          found.poses.push_back(topics_.read(*topic, message, readRosPose));
+      }
+    for (const BagTopic* const topic : topics_.ofType("nav_msgs/Path")) {
+      auto path = topics_.read(*topic, topic->messages.back(), readRosPath);
+      if (path.size() > found.poses.size())
+        found = {topic->name, std::move(path)};
+    }
+    return found;
+  }
+
   /** \brief Takes poses without the name of a frame. */
   void
-  takePoses(const BagTopic& topic)
+  takePoses(const FramelessPoses& found)
   {
-    const std::string tracked = "pose of " + topic.name;
-    for (const BagMessage& message : topic.messages) {
-      RosTransform pose = topics_.read(topic, message, readRosPose);
+    const std::string tracked = "pose of " + found.topic;
+    for (RosTransform pose : found.poses) {
       pose.child = tracked;
       if (pose.header.frame == root_)
         pose.header.frame += " of poses";
@@ -112,7 +141,7 @@ private:
     if (settings_.T_robot_sensor)
       return mount(tracked, *settings_.T_robot_sensor * turn_);
     mount(tracked, Eigen::Isometry3d::Identity());
-    topics_.remark("took the poses of " + topic.name + " as those of " + root_ + "; " +
+    topics_.remark("took the poses of " + found.topic + " as those of " + root_ + "; " +
                    mounting_option + " states where it is on what has these poses");
   }
 

@@ -1,8 +1,9 @@
 #include "rgbd/camera_file.h"
 
+#include "rgbd/image_folder.h"
 #include "rgbd/text_rows.h"
 
-#include <pcl/core/impl/yaml_node.h>
+#include <pcl/core/calibration_file.h>
 
 namespace pcl::acmap {
 
@@ -12,22 +13,34 @@ constexpr double minimum_focus = 1e-6, maximum_pixels = 1e6;
 
 } // namespace
 
-SizedCamera
-loadOpen3dCamera(const std::string& path)
+bool
+takeCameraFile(const std::filesystem::path& folder, RgbdSequence& sequence)
 {
-  const YamlNode file = loadYaml(path); // JSON is YAML
-  const std::vector<YamlNode>& matrix = file.at("intrinsic_matrix").list(9, 9);
-  SizedCamera camera{{matrix[0].number(minimum_focus, maximum_pixels),
-                      matrix[4].number(minimum_focus, maximum_pixels),
-                      matrix[6].number(-maximum_pixels, maximum_pixels),
-                      matrix[7].number(-maximum_pixels, maximum_pixels)},
-                     {}};
-  const YamlNode* const width = file.find("width");
-  const YamlNode* const height = file.find("height");
-  if (width && height)
-    camera.size = {static_cast<std::int32_t>(width->number(1, maximum_pixels)),
-                   static_cast<std::int32_t>(height->number(1, maximum_pixels))};
-  return camera;
+  const std::filesystem::path file = findEntry(folder,
+                                               {"camera_intrinsic.json",
+                                                "camera_intrinsics.json",
+                                                "intrinsic.json",
+                                                "intrinsics.json",
+                                                "transforms.json",
+                                                "camera.json",
+                                                "camera_info.yaml",
+                                                "camera.yaml",
+                                                "cam_k.txt",
+                                                "k.txt",
+                                                "intrinsics.txt",
+                                                "intrinsic.txt",
+                                                "camera_intrinsics.txt",
+                                                "camera-intrinsics.txt",
+                                                "camera_matrix.csv",
+                                                "calibration.txt"});
+  if (file.empty())
+    return false;
+  const CalibratedPinhole camera = loadCameraPinhole(file.string());
+  sequence.camera = camera.pinhole;
+  sequence.camera_size = {camera.width, camera.height};
+  if (camera.depth_scale)
+    sequence.depth_scale = *camera.depth_scale;
+  return true;
 }
 
 Pinhole

@@ -2,20 +2,17 @@
 
 #include <pcl/pipeline/rgbd_sequence.h>
 
+#include <filesystem>
 #include <string>
 
 namespace pcl::acmap {
 
-/** \brief A camera with the size of its images, 0 x 0 if that is not stated. */
-struct SizedCamera {
-  Pinhole pinhole;
-  ImageSize size;
-};
-
-/** \brief Reads Open3D's PinholeCameraIntrinsic, whose matrix is stored by columns.
+/** \brief Takes the camera of a file with one of the usual names in a folder of images, which
+ * may be of any kind that \ref loadCalibration reads.
+ * \return false if there is no such file
  * \throws InputFileException naming file, line and fault */
-SizedCamera
-loadOpen3dCamera(const std::string& path);
+bool
+takeCameraFile(const std::filesystem::path& folder, RgbdSequence& sequence);
 
 /** \brief Reads fx 0 cx, 0 fy cy in the first rows of a matrix of 3 or 4 rows.
  * \throws InputFileException as above */

@@ -54,7 +54,7 @@ constexpr std::array<ForeignFormat, 5> depth_formats = {
       "converted"}}};
 
 /** Recordings in one file, which stands in a folder. */
-constexpr std::array<ForeignFormat, 5> recordings = {
+constexpr std::array<ForeignFormat, 6> recordings = {
     {{".sens",
       "a recording of ScanNet",
       "reader.py of ScanNet's SensReader (--filename FILE.sens --output_path FOLDER "
@@ -63,6 +63,10 @@ constexpr std::array<ForeignFormat, 5> recordings = {
      {".r3d",
       "a recording of Record3D",
       "export it from Record3D as 'EXR + JPG sequence', whose depths can be converted"},
+     {".mkv",
+      "a video, as an Azure Kinect records",
+      "azure_kinect_mkv_reader.py of Open3D's reconstruction system (--input FILE.mkv "
+      "--output FOLDER) writes folders that are read"},
      {".klg",
       "a log of Kintinuous or ElasticFusion",
       "klg2png or pyklg write its images with TUM's lists"},

@@ -36,16 +36,13 @@ depthFolderIn(const fs::path& folder)
 void
 takeCamera(const fs::path& folder, RgbdSequence& sequence)
 {
-  const fs::path camera = findEntry(
-      folder, {"camera_intrinsic.json", "camera_intrinsics.json", "intrinsic.json"});
-  const SizedCamera found = camera.empty() ? SizedCamera{primesense, {640, 480}}
-                                           : loadOpen3dCamera(camera.string());
-  sequence.camera = found.pinhole;
-  sequence.camera_size = found.size;
-  if (camera.empty())
-    sequence.remarks.push_back(
-        "no camera_intrinsic.json tells the camera: took Open3D's fx = fy = 525, cx = "
-        "319.5, cy = 239.5; --intrinsics names another");
+  if (takeCameraFile(folder, sequence))
+    return;
+  sequence.camera = primesense;
+  sequence.camera_size = {640, 480};
+  sequence.remarks.push_back(
+      "no camera_intrinsic.json tells the camera: took Open3D's fx = fy = 525, cx = "
+      "319.5, cy = 239.5; --intrinsics names another");
 }
 
 } // namespace

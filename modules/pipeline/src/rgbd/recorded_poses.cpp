@@ -5,6 +5,7 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/folder_entries.h>
+#include <pcl/core/impl/yaml_node.h>
 
 #include <algorithm>
 #include <cmath>
@@ -203,6 +204,48 @@ takeByNumber(const RecordedPoses& recorded, const std::string& path, NamedFrames
       named.frames[i].frame.T_world_camera = recorded.poses[*row];
 }
 
+/** \brief A pose of three or four rows, of a camera with y up and z backward. */
+Eigen::Isometry3d
+poseOfNerf(const YamlNode& matrix)
+{
+  Eigen::Matrix<double, 3, 4> rows;
+  const std::vector<YamlNode>& lists = matrix.list(3, 4);
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    const std::vector<YamlNode>& values =
+        lists[static_cast<std::size_t>(row)].list(4, 4);
+    for (Eigen::Index column = 0; column < 4; ++column)
+      rows(row, column) = values[static_cast<std::size_t>(column)].number(-1e9, 1e9);
+  }
+  const Eigen::Matrix3d rotation = rows.leftCols<3>();
+  if (!isRotation(rotation))
+    matrix.fail("is no rigid motion");
+  const Eigen::AngleAxisd half_turn(M_PI, Eigen::Vector3d::UnitX());
+  Eigen::Isometry3d pose(Eigen::Quaterniond(rotation).normalized() * half_turn);
+  pose.translation() = rows.col(3);
+  return pose;
+}
+
+/** \brief The poses of transforms.json, as nerfstudio and Polycam write it, by the numbers in
+ * the names of the images. */
+RecordedPoses
+posesOfFrames(const YamlNode& transforms)
+{
+  std::map<double, Pose> poses;
+  for (const YamlNode& frame : transforms.at("frames").list(1, std::size_t{1} << 24)) {
+    const YamlNode& image = frame.at("file_path");
+    const auto number = numberInName(image.text());
+    if (!number)
+      image.fail("has no number in the name of its image");
+    poses[*number] = poseOfNerf(frame.at("transform_matrix"));
+  }
+  RecordedPoses recorded;
+  for (const auto& [number, pose] : poses) {
+    recorded.numbers.push_back(number);
+    recorded.poses.push_back(pose);
+  }
+  return recorded;
+}
+
 /** \brief Files of poses, one per frame, by the numbers in their names. */
 void
 takePoseFiles(const fs::path& folder, NamedFrames& named, RgbdSequence& sequence)
@@ -314,15 +357,22 @@ takePosesOfFolder(const fs::path& folder,
                              "pose.txt"});
   if (file.empty())
     file = findEntry(folder / "scene", {"trajectory.log"});
+  const fs::path frames = findEntry(folder, {"transforms.json"});
   const fs::path files = findEntry(folder, {"pose", "poses"});
   std::error_code error;
   if (!file.empty())
     takePoses(loadRecordedPoses(file.string()), file.string(), gap, named, sequence);
+  else if (!frames.empty())
+    takePoses(posesOfFrames(loadYaml(frames.string())),
+              frames.string(),
+              gap,
+              named,
+              sequence);
   else if (fs::is_directory(files, error))
     takePoseFiles(files, named, sequence);
   else
     goWithoutPoses("trajectory.log (Open3D), groundtruth.txt or trajectory.txt (TUM), "
-                   "poses.txt (KITTI), folder pose",
+                   "poses.txt (KITTI), transforms.json, folder pose",
                    sequence);
 }
 

@@ -6,6 +6,7 @@
 #include <pcl/core/impl/file_ending.h>
 
 #include <pcl/core/exceptions.h>
+#include <pcl/core/impl/folder_entries.h>
 #include <pcl/core/impl/size_text.h>
 #include <pcl/pipeline/rgbd_sequence.h>
 
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <iterator>
 #include <set>
+#include <vector>
 
 namespace pcl {
 
@@ -65,6 +67,19 @@ holdsOnlyRgbd(const std::string& folder)
   });
 }
 
+/** \throws InputFileException that names a folder within, if that is a recording */
+void
+refuseFolderAbove(const std::string& folder)
+{
+  std::vector<fs::path> within = folderEntries(folder);
+  std::sort(within.begin(), within.end());
+  std::error_code error;
+  for (const fs::path& entry : within)
+    if (fs::is_directory(entry, error) && isRgbdFolder(entry.string()))
+      throw InputFileException(folder +
+                               ": is no RGB-D folder, but has one: " + entry.string());
+}
+
 RgbdSequence
 openKnownLayout(const std::string& folder, const RgbdSequenceSettings& settings)
 {
@@ -75,6 +90,7 @@ openKnownLayout(const std::string& folder, const RgbdSequenceSettings& settings)
     if (layout.fits(folder) && (!layout.is_general || holdsOnlyRgbd(folder)))
       return layout.open(folder, settings);
   refuseForeignLayout(folder);
+  refuseFolderAbove(folder);
   throw InputFileException(
       folder +
       ": is no RGB-D folder; looked for rgb.txt and depth.txt (TUM), associations.txt "

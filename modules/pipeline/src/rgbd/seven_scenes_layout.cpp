@@ -1,5 +1,7 @@
+#include "rgbd/image_folder.h"
 #include "rgbd/layouts.h"
 #include "rgbd/recorded_poses.h"
+#include "rgbd/text_rows.h"
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/folder_entries.h>
@@ -90,6 +92,47 @@ frameOf(const fs::path& folder,
   return frame;
 }
 
+/** \brief Takes the cameras of _info.txt, which VoxelHashing, 3RScan and early exports of
+ * ScanNet have: rows of `name = numbers`.
+ * \return false if there is no such file */
+bool
+takeInfo(const fs::path& folder, RgbdSequence& sequence)
+{
+  const fs::path file = findEntry(folder, {"_info.txt", "info.txt"});
+  if (file.empty())
+    return false;
+  const std::string path = file.string();
+  constexpr std::size_t first_number = 2; // behind the name and the sign
+  const auto cameraIn = [&](const TextRow& row) {
+    const auto at = [&](std::size_t i) {
+      return numberOf(path, row, first_number + i);
+    };
+    return Pinhole{at(0), at(5), at(2), at(6)};
+  };
+  for (const TextRow& row : loadTextRows(path)) {
+    if (row.words.size() <= first_number)
+      continue;
+    const std::string& name = row.words.front();
+    const auto number = [&] { return numberOf(path, row, first_number); };
+    if (name == "m_depthShift" && number() >= 1)
+      sequence.depth_scale = number();
+    else if (name == "m_depthWidth")
+      sequence.camera_size.width = static_cast<std::int32_t>(number());
+    else if (name == "m_depthHeight")
+      sequence.camera_size.height = static_cast<std::int32_t>(number());
+    else if (row.words.size() < first_number + 16)
+      continue;
+    else if (name == "m_calibrationDepthIntrinsic")
+      sequence.camera = cameraIn(row);
+    else if (name == "m_calibrationColorIntrinsic")
+      sequence.color_camera = {cameraIn(row), Eigen::Isometry3d::Identity(), true};
+  }
+  if (!(sequence.camera.fx > 0 && sequence.camera.fy > 0))
+    throw InputFileException(path + ": has no m_calibrationDepthIntrinsic");
+  sequence.is_registered = true;
+  return true;
+}
+
 Pinhole
 cameraOf(const fs::path& folder, RgbdSequence& sequence)
 {
@@ -142,9 +185,10 @@ openSevenScenesSequence(const std::string& folder, const RgbdSequenceSettings& s
 {
   RgbdSequence sequence;
   sequence.layout = "7-Scenes";
-  if (!settings.has_camera)
+  const bool has_info = !settings.has_camera && takeInfo(folder, sequence);
+  if (!settings.has_camera && !has_info)
     sequence.camera = cameraOf(folder, sequence);
-  if (isKinect(sequence.camera))
+  if (!has_info && isKinect(sequence.camera))
     sequence.color_camera = kinectColorCamera();
   bool has_pose = false;
   for (const auto& [digits, endings] : listFrames(folder)) {

@@ -49,8 +49,8 @@ struct PointCloudFile {
    * known and the points do not show another (OBJ: y, national grids: z). */
   std::optional<Eigen::Vector3f> usual_up;
 
-  /** \brief Metres in a unit of the file, if the caller or the names of its columns state it: the
-   * cloud is in metres. */
+  /** \brief Metres in a unit of the file, of a LAS in x and y, if the caller, the names of its
+   * columns or a record of its reference system state it: the cloud is in metres. */
   std::optional<double> stated_scale;
 
   /** \brief Positions of the sensor that an int32 field `view` refers to, in the frame of
@@ -82,13 +82,13 @@ struct PointCloudFile {
  * - PLY: ascii and both binary byte orders; the vertices with their scalar properties.
  * - OBJ: the vertices, with colour if all of them have one (fractions, or 0 to 255 when
  *   one exceeds 1).
- * - XYZ, TXT, CSV, ASC, PTS: rows of numbers, separated by blanks, tabs, commas or
- *   semicolons. The names of a header say what the columns are; without names x, y, z come
+ * - XYZ, TXT, CSV, ASC, PTS: rows of numbers, separated by blanks, tabs, commas,
+ *   semicolons or bars. The names of a header say what the columns are; without names x, y, z come
  *   first, and colours follow if the numbers are those of colours. What is ambiguous is
  *   refused: see \ref PointCloudReader::setColumns.
  * - LAS: 1.0 to 1.5, point formats 0 to 10: coordinates, `intensity`, `classification`,
- *   and `rgb` where there are colours, of 16 bits if one of them exceeds 255. Packed points
- *   (LAZ) are refused.
+ *   and `rgb` where there are colours, of 16 bits if one of them exceeds 255; feet of its
+ *   reference system become metres. Packed points (LAZ) are refused.
  * - E57 and PTX: the points of all scans in the frame of the file, with `intensity` and `rgb`
  *   where a scan has them; of several scans, `view` is the number of the scan. Points that
  *   are marked as invalid are NaN. One scan with rows and columns is organized.

@@ -61,11 +61,12 @@ struct RosCloud {
   PCLPointCloud2 cloud;
 };
 
-/** \brief A pose: of geometry_msgs/msg/TransformStamped, nav_msgs/msg/Odometry or
- * geometry_msgs/msg/PoseStamped. \ingroup core */
+/** \brief A pose: of geometry_msgs/msg/TransformStamped, nav_msgs/msg/Odometry,
+ * geometry_msgs/msg/PoseStamped or PoseWithCovarianceStamped, or one of nav_msgs/msg/Path.
+ * \ingroup core */
 struct RosTransform {
   RosHeader header;  ///< frame: the parent
-  std::string child; ///< frame; empty for PoseStamped
+  std::string child; ///< frame; empty for poses that name none
   Eigen::Isometry3d T_parent_child = Eigen::Isometry3d::Identity(); ///< metres
 };
 
@@ -128,6 +129,11 @@ readRosOdometry(std::string_view bytes,
 
 ACMAP_EXPORT RosTransform
 readRosPose(std::string_view bytes,
+            const std::string& name,
+            RosSerialization serialization = RosSerialization::Cdr);
+
+ACMAP_EXPORT std::vector<RosTransform>
+readRosPath(std::string_view bytes,
             const std::string& name,
             RosSerialization serialization = RosSerialization::Cdr);
 

@@ -79,7 +79,8 @@ openScans(const std::string& path, const std::optional<Eigen::Vector3d>& shift =
  * their CameraInfo, or of PointCloud2. Of several topics of a kind the one with most messages
  * is taken; of depths, those that are registered to colours.
  *
- * Poses are those of the tree of transforms (tf, tf_static, Odometry, else PoseStamped) at
+ * Poses are those of the tree of transforms (tf, tf_static, Odometry, TransformStamped, else
+ * PoseStamped, PoseWithCovarianceStamped, Path) at
  * the times of the observations, relative to the first one; those without a pose are left
  * out. Without any pose of a frame that moves, there are none. Clouds in a frame of a body
  * (x ahead, z up) are turned to that of a camera.
