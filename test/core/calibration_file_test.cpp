@@ -245,6 +245,8 @@ TEST(CalibrationFile, AllKindsStateTheSamePair)
     SCOPED_TRACE(texts.front());
     expectPair(rigOfTexts(texts));
   }
+  EXPECT_THAT(rigOfTexts({ostText("left", "0") + ostText("right", "-60")}).told,
+              HasSubstr("OpenCV"));
 }
 
 /** OpenCV's sample stereo_calib writes intrinsics.yml and extrinsics.yml. */

@@ -424,6 +424,8 @@ TEST_F(RgbdLayouts, OfSevenScenesMayHaveTheirCamerasInAnInfo)
             8U);
   folder_.write("_info.txt", "m_depthShift = 500\n");
   EXPECT_THAT(fault(), HasSubstr("m_calibrationDepthIntrinsic"));
+  folder_.write("_info.txt", "m_depthWidth = 1e30\n");
+  EXPECT_THAT(fault(), HasSubstr("line 1: m_depthWidth"));
 }
 
 TEST_F(RgbdLayouts, AboveARecordingNameIt)

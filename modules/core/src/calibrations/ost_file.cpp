@@ -20,10 +20,10 @@ struct OstTitle {
 constexpr std::array<OstTitle, 6> titles = {
     {{"width", "image_width", nullptr},
      {"height", "image_height", nullptr},
-     {"camera matrix", "camera_matrix", "M"},
-     {"distortion", "distortion_coefficients", "D"},
-     {"rectification", "rectification_matrix", "R"},
-     {"projection", "projection_matrix", "P"}}};
+     {"camera matrix", "camera_matrix", "camera_matrix"},
+     {"distortion", "distortion_coefficients", "distortion"},
+     {"rectification", "rectification_matrix", "rectification"},
+     {"projection", "projection_matrix", "projection"}}};
 
 std::string_view
 trimmedLine(std::string_view line)

@@ -5,7 +5,6 @@
 
 #include <pcl/core/exceptions.h>
 #include <pcl/core/impl/folder_entries.h>
-#include <pcl/core/impl/yaml_node.h>
 
 #include <algorithm>
 #include <cmath>
@@ -225,27 +224,6 @@ poseOfNerf(const YamlNode& matrix)
   return pose;
 }
 
-/** \brief The poses of transforms.json, as nerfstudio and Polycam write it, by the numbers in
- * the names of the images. */
-RecordedPoses
-posesOfFrames(const YamlNode& transforms)
-{
-  std::map<double, Pose> poses;
-  for (const YamlNode& frame : transforms.at("frames").list(1, std::size_t{1} << 24)) {
-    const YamlNode& image = frame.at("file_path");
-    const auto number = numberInName(image.text());
-    if (!number)
-      image.fail("has no number in the name of its image");
-    poses[*number] = poseOfNerf(frame.at("transform_matrix"));
-  }
-  RecordedPoses recorded;
-  for (const auto& [number, pose] : poses) {
-    recorded.numbers.push_back(number);
-    recorded.poses.push_back(pose);
-  }
-  return recorded;
-}
-
 /** \brief Files of poses, one per frame, by the numbers in their names. */
 void
 takePoseFiles(const fs::path& folder, NamedFrames& named, RgbdSequence& sequence)
@@ -289,6 +267,25 @@ posesOfRows(const std::vector<TextRow>& rows, const std::string& path)
            "has " + std::to_string(row.words.size()) + " numbers, the first row has " +
                std::to_string(words));
     addRow(path, row, recorded);
+  }
+  return recorded;
+}
+
+RecordedPoses
+posesOfFrames(const YamlNode& transforms)
+{
+  std::map<double, Pose> poses;
+  for (const YamlNode& frame : transforms.at("frames").list(1, std::size_t{1} << 24)) {
+    const YamlNode& image = frame.at("file_path");
+    const auto number = numberInName(image.text());
+    if (!number)
+      image.fail("has no number in the name of its image");
+    poses[*number] = poseOfNerf(frame.at("transform_matrix"));
+  }
+  RecordedPoses recorded;
+  for (const auto& [number, pose] : poses) {
+    recorded.numbers.push_back(number);
+    recorded.poses.push_back(pose);
   }
   return recorded;
 }

@@ -3,6 +3,8 @@
 #include "rgbd/image_folder.h"
 #include "rgbd/text_rows.h"
 
+#include <pcl/core/impl/yaml_node.h>
+
 #include <Eigen/Geometry>
 
 #include <optional>
@@ -29,6 +31,12 @@ loadRecordedPoses(const std::string& path);
  * \param[in] path for messages, and .log for Redwood's form */
 RecordedPoses
 posesOfRows(const std::vector<TextRow>& rows, const std::string& path);
+
+/** \brief The poses of transforms.json, as nerfstudio and Polycam write it, by the numbers in
+ * the names of the images.
+ * \throws InputFileException naming file, line and fault */
+RecordedPoses
+posesOfFrames(const YamlNode& transforms);
 
 /** \brief Reads the pose of one frame, a 4 x 4 matrix.
  * \return nothing if the tracking was lost

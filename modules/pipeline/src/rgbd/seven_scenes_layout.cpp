@@ -113,13 +113,20 @@ takeInfo(const fs::path& folder, RgbdSequence& sequence)
     if (row.words.size() <= first_number)
       continue;
     const std::string& name = row.words.front();
-    const auto number = [&] { return numberOf(path, row, first_number); };
-    if (name == "m_depthShift" && number() >= 1)
-      sequence.depth_scale = number();
+    const auto number = [&](double least, double most) {
+      const double value = numberOf(path, row, first_number);
+      if (!(value >= least && value <= most))
+        throw InputFileException(path + ": line " + std::to_string(row.line) + ": " +
+                                 name + " is impossible");
+      return value;
+    };
+    constexpr double longest_side = 32768, finest_scale = 1e9;
+    if (name == "m_depthShift")
+      sequence.depth_scale = number(1, finest_scale);
     else if (name == "m_depthWidth")
-      sequence.camera_size.width = static_cast<std::int32_t>(number());
+      sequence.camera_size.width = static_cast<std::int32_t>(number(1, longest_side));
     else if (name == "m_depthHeight")
-      sequence.camera_size.height = static_cast<std::int32_t>(number());
+      sequence.camera_size.height = static_cast<std::int32_t>(number(1, longest_side));
     else if (row.words.size() < first_number + 16)
       continue;
     else if (name == "m_calibrationDepthIntrinsic")
