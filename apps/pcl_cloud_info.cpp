@@ -11,10 +11,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace {
 
@@ -86,21 +84,6 @@ optionsFor(const pcl::CloudAssessmentReport& report, bool is_scale_stated)
   return report.unit.outcome == pcl::UnitOutcome::Doubtful ? " --scale 0.001" : "";
 }
 
-/** Remarks on lengths, but not on a unit that is stated. */
-std::vector<std::string>
-remarksOn(const pcl::CloudRows& rows, const pcl::CloudAssessmentReport& report)
-{
-  std::vector<std::string> remarks = lengthRemarks(requirePoints(rows), report.spacing);
-  if (report.unit.outcome == pcl::UnitOutcome::Stated)
-    remarks.erase(std::remove_if(remarks.begin(),
-                                 remarks.end(),
-                                 [](const std::string& remark) {
-                                   return remark.find("--scale") != remark.npos;
-                                 }),
-                  remarks.end());
-  return remarks;
-}
-
 void
 tell(const std::string& input,
      bool is_scale_stated,
@@ -160,7 +143,9 @@ main(int argc, char** argv)
     assessment.compute();
     tool.log().warn(file->remarks);
     const pcl::CloudAssessmentReport& report = assessment.getReport();
-    tool.log().warn(remarksOn(rows, report));
+    tool.log().warn(lengthRemarks(requirePoints(rows),
+                                  report.spacing,
+                                  report.unit.outcome == pcl::UnitOutcome::Stated));
     tell(input, tool.options().count("--scale") > 0, report, tool.log());
   });
 }

@@ -35,18 +35,20 @@ for compiler in "$@"; do
   for level in 2 3; do
     say "$compiler -O$level"
     log=$work/warnings_${compiler}_O$level.log
-    inside >"$log" 2>&1 <<END || {
+    inside >"$log" 2>&1 <<END || true
 cd /acmap
 rm -rf tree
 cmake -S . -B tree -G Ninja -DCMAKE_CXX_COMPILER=$compiler -DCMAKE_C_COMPILER=$(echo "$compiler" | sed 's/++-/-/; s/^g-/gcc-/') \
   -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O$level -DNDEBUG" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 \
   -DACMAP_BUILD_PYTHON=ON
-CCACHE_DISABLE=1 ninja -C tree -j 2
+CCACHE_DISABLE=1 ninja -C tree -j 2 -k 0
 END
+    # Programs of an older compiler may not be linked with libraries of the release's own.
+    if ! grep -q 'Building CXX' "$log" || grep -q '^FAILED: .*\.o ' "$log"; then
       tail -n 20 "$log"
-      echo "warnings.sh: $compiler -O$level does not build, see $log" >&2
+      echo "warnings.sh: $compiler -O$level does not compile, see $log" >&2
       exit 1
-    }
+    fi
     count=$(grep -c 'warning: ' "$log" || true)
     total=$((total + count))
     grep 'warning: ' "$log" | sort | uniq -c || true

@@ -47,6 +47,15 @@ kittiRow(const Eigen::Isometry3d& pose)
   return text.str() + "\n";
 }
 
+std::string
+matrixOf(const Eigen::Isometry3d& pose)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << pose.matrix() << "\n";
+  return text.str();
+}
+
 Eigen::Vector3f
 firstPoint(const ObservationSequence& sequence, std::size_t i)
 {
@@ -106,6 +115,29 @@ TEST(CloudFolders, TakePosesByNumberWhereSomeCloudsAreMissing)
   EXPECT_THAT(messageOf<InputFileException>(
                   [&] { ObservationSequence(folder.path("")); }, "no fault"),
               HasSubstr("has 5 poses for 3 clouds"));
+}
+
+/** As scanning applications write them: a matrix in a file for each cloud. */
+TEST(CloudFolders, TakeThePoseBesideEachCloud)
+{
+  for (const char* ending : {".txt", ".pose.txt", "_pose.txt", ".pose"}) {
+    const TemporaryFolder folder;
+    for (const int i : {1, 2, 3}) {
+      folder.write(std::to_string(i) + ".ply", plyOf(i));
+      folder.write(std::to_string(i) + ending, matrixOf(posedAt(i)));
+    }
+    EXPECT_TRUE(
+        ObservationSequence(folder.path("")).pose(1).isApprox(posedAt(2), 1e-12))
+        << ending;
+    std::filesystem::remove(folder.path(std::string("2") + ending));
+    const ObservationSequence fewer(folder.path(""));
+    ASSERT_EQ(fewer.size(), 2U);
+    EXPECT_TRUE(fewer.pose(1).isApprox(posedAt(3), 1e-12));
+    EXPECT_THAT(fewer.remarks(), Contains(HasSubstr("1 clouds left out")));
+    folder.write(std::string("1") + ending, "scanned in the cellar\n");
+    EXPECT_THAT(ObservationSequence(folder.path("")).remarks(),
+                Contains(HasSubstr("took no poses of the files beside the clouds")));
+  }
 }
 
 TEST(CloudFolders, OfKittiAreTurnedToTheAxesOfACamera)

@@ -155,14 +155,15 @@ cloudExtent(const PointView& points)
 }
 
 std::vector<std::string>
-lengthRemarks(const PointView& points, double median_spacing)
+lengthRemarks(const PointView& points, double median_spacing, bool is_unit_known)
 {
   const CloudExtent extent = cloudExtent(points);
   std::vector<std::string> remarks;
   if (extent.diagonal() > 0)
     remarks.push_back(farRemark(points, extent));
   remarks.push_back(coarsenessRemark(median_spacing, extent));
-  remarks.push_back(millimetreRemark(median_spacing, extent));
+  if (!is_unit_known)
+    remarks.push_back(millimetreRemark(median_spacing, extent));
   remarks.push_back(degreesRemark(extent));
   remarks.erase(std::remove(remarks.begin(), remarks.end(), ""), remarks.end());
   return remarks;

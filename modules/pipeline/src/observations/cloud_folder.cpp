@@ -91,7 +91,34 @@ rowsOfPoses(const std::string& path,
   return rows;
 }
 
-/** \brief The poses of KITTI's form for the clouds, those that were lost left out. */
+/** \brief Gives the clouds the poses and times that others recorded of them; those without a
+ * pose are left out.
+ * \param[in] path of the poses, for messages */
+void
+takeRecorded(const std::string& path,
+             const std::vector<std::optional<Eigen::Isometry3d>>& poses,
+             const std::vector<double>& stamps,
+             CloudFolder& clouds)
+{
+  CloudFolder posed = clouds;
+  posed.paths.clear();
+  posed.is_recorded = true;
+  for (std::size_t i = 0; i < clouds.paths.size(); ++i)
+    if (poses[i]) {
+      posed.rows.push_back(posed.paths.size());
+      posed.paths.push_back(clouds.paths[i]);
+      posed.trajectory.poses.push_back(*poses[i]);
+      posed.trajectory.stamps.push_back(stamps[i]);
+    }
+  if (posed.paths.empty())
+    throw EmptyInputException(path + ": all poses were lost");
+  if (const std::size_t lost = clouds.paths.size() - posed.paths.size(); lost > 0)
+    posed.remarks.push_back(std::to_string(lost) +
+                            " clouds left out: their pose was lost");
+  clouds = std::move(posed);
+}
+
+/** \brief The poses of KITTI's form for the clouds. */
 void
 takeKittiPoses(const fs::path& place, const std::string& path, CloudFolder& clouds)
 {
@@ -108,29 +135,57 @@ takeKittiPoses(const fs::path& place, const std::string& path, CloudFolder& clou
         scanner.value_or(Eigen::Isometry3d::Identity()) * cameraOfScanner();
   }
   const fs::path times = findEntry(place, {times_name});
-  const std::vector<double> stamps =
+  const std::vector<double> of_rows =
       times.empty() ? std::vector<double>() : loadTimes(times.string());
-  CloudFolder posed = clouds;
-  posed.paths.clear();
-  posed.is_kitti = true;
-  for (std::size_t i = 0; i < clouds.paths.size(); ++i) {
-    const std::size_t row = rows[i];
-    if (!recorded.poses[row])
-      continue;
-    posed.rows.push_back(posed.paths.size());
-    posed.paths.push_back(clouds.paths[i]);
-    posed.trajectory.poses.push_back(*recorded.poses[row]);
-    posed.trajectory.stamps.push_back(
-        stamps.size() == recorded.poses.size() ? stamps[row]
-        : recorded.numbers.empty()             ? static_cast<double>(row)
-                                               : recorded.numbers[row]);
+  std::vector<std::optional<Eigen::Isometry3d>> poses;
+  std::vector<double> stamps;
+  for (const std::size_t row : rows) {
+    poses.push_back(recorded.poses[row]);
+    stamps.push_back(of_rows.size() == recorded.poses.size() ? of_rows[row]
+                     : recorded.numbers.empty()              ? static_cast<double>(row)
+                                                             : recorded.numbers[row]);
   }
-  if (posed.paths.empty())
-    throw EmptyInputException(path + ": all poses were lost");
-  if (const std::size_t lost = clouds.paths.size() - posed.paths.size(); lost > 0)
-    posed.remarks.push_back(std::to_string(lost) +
-                            " clouds left out: their pose was lost");
-  clouds = std::move(posed);
+  takeRecorded(path, poses, stamps, clouds);
+}
+
+/** \brief The file that has the pose of one cloud, named as it; empty if there is none. */
+fs::path
+poseFileOf(const fs::path& cloud)
+{
+  for (const char* ending : {".pose.txt", "_pose.txt", ".pose", ".txt"}) {
+    const fs::path file = cloud.parent_path() / (cloud.stem().string() + ending);
+    std::error_code error;
+    if (file != cloud && fs::is_regular_file(file, error))
+      return file;
+  }
+  return {};
+}
+
+/** \brief Takes the poses of a folder that has a file with a 4 x 4 matrix for each cloud.
+ * \return false if the first one has no such file */
+bool
+takeSinglePoses(CloudFolder& clouds)
+{
+  const fs::path first = poseFileOf(clouds.paths.front());
+  if (first.empty())
+    return false;
+  std::vector<std::optional<Eigen::Isometry3d>> poses;
+  std::vector<double> stamps;
+  try {
+    loadMatrix4(first.string());
+  }
+  catch (const InputFileException& fault) {
+    clouds.remarks.push_back("took no poses of the files beside the clouds: " +
+                             std::string(fault.what()));
+    return false;
+  }
+  for (const std::string& cloud : clouds.paths) {
+    const fs::path file = poseFileOf(cloud);
+    poses.push_back(file.empty() ? std::nullopt : loadRecordedPose(file.string()));
+    stamps.push_back(static_cast<double>(stamps.size()));
+  }
+  takeRecorded(first.string(), poses, stamps, clouds);
+  return true;
 }
 
 /** \brief The file of the poses in KITTI's form, which stands beside the clouds, beside their
@@ -216,7 +271,7 @@ openCloudFolder(const std::string& folder)
   }
   else if (!poses.empty())
     takeKittiPoses(place, poses.string(), clouds);
-  else if (fs::exists(times, error)) {
+  else if (!takeSinglePoses(clouds) && fs::exists(times, error)) {
     clouds.trajectory.stamps = loadTimes(times);
     clouds.rows = trajectoryRows(times, names, clouds.trajectory.stamps.size());
   }

@@ -19,7 +19,7 @@ struct CloudFolder {
   std::vector<std::size_t> rows; ///< row in the trajectory, one per cloud
   /** \brief Frame of the clouds in that whose poses were recorded. */
   Eigen::Isometry3d T_recorded_cloud = Eigen::Isometry3d::Identity();
-  bool is_kitti = false; ///< Are the poses those of KITTI's form?
+  bool is_recorded = false; ///< Are the poses those of another program's files?
   std::vector<std::string> remarks;
 };
 
@@ -28,8 +28,9 @@ struct CloudFolder {
  * left out.
  *
  * Poses are those of trajectory.txt, else of poses.txt: rows of 12 numbers, T_world_camera of
- * KITTI, with T_camera_scanner in the row Tr of calib.txt. Clouds whose pose was lost are left
- * out. Without poses, times.txt has the times.
+ * KITTI, with T_camera_scanner in the row Tr of calib.txt, else of a file for each cloud with a
+ * 4 x 4 matrix (<name>.pose.txt, <name>_pose.txt, <name>.pose or <name>.txt). Clouds whose pose
+ * was lost are left out. Without poses, times.txt has the times.
  * \throws InputFileException if the folder has no clouds, or a file is malformed */
 CloudFolder
 openCloudFolder(const std::string& folder);

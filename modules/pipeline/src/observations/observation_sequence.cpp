@@ -104,7 +104,7 @@ ObservationSequence::ObservationSequence(const std::string& folder,
   rows_ = std::move(clouds.rows);
   trajectory_ = std::move(clouds.trajectory);
   remarks_ = std::move(clouds.remarks);
-  is_given_ = clouds.is_kitti; // and not compared with VIEWPOINTs
+  is_given_ = clouds.is_recorded; // and not compared with VIEWPOINTs
   readFiles();
   recorded_ = trajectory_.poses;
   has_recorded_poses_ = true;

@@ -29,8 +29,11 @@ cloudExtent(const PointView& points);
  * positions so far from the origin that the resolution of floats is too coarse.
  * \param[in] points in what the caller assumes to be metres
  * \param[in] median_spacing between neighbouring points, in the same unit; 0 if it is not
- * known */
+ * known
+ * \param[in] is_unit_known true: there is no remark on the unit */
 ACMAP_EXPORT std::vector<std::string>
-lengthRemarks(const PointView& points, double median_spacing = 0);
+lengthRemarks(const PointView& points,
+              double median_spacing = 0,
+              bool is_unit_known = false);
 
 } // namespace pcl::acmap
