@@ -41,7 +41,7 @@ TEST(UpEvidence, isNeverWrongWithoutASaying)
         EXPECT_EQ(up.confidence > 0, up.isKnown());
         EXPECT_FALSE(up.evidence.empty());
       }
-  EXPECT_GT(4 * found, asked);
+  EXPECT_GT(5 * found, asked);
 }
 
 TEST(UpEvidence, isFoundInARoomWithoutCeilingInEachFrame)
