@@ -311,12 +311,14 @@ SceneView
 sceneViewOf(const MappedPlanes& found)
 {
   SceneView view;
-  if (found.up)
+  view.up = found.up;
+  if (!view.up && found.assumed_up.z() > 0) // assumed of what is no view of a camera
+    view.up = found.assumed_up;
+  if (view.up)
     view.sensor_origin.reset();
   else
     view.sensor_origin = found.sensor_origin;
   view.sensor_orientation = found.sensor_orientation;
-  view.up = found.up;
   view.hide_backs = true;
   return view;
 }
