@@ -11,7 +11,7 @@ namespace pcl::acmap {
 
 namespace {
 
-/** \brief What the records of a reference system have. */
+/** \brief Contents of the records that describe the reference system. */
 struct ReferenceSystem {
   std::string text, keys, numbers;
 

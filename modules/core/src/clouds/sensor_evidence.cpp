@@ -148,14 +148,16 @@ struct Sharpness {
   std::size_t bins = 0, rows = 0;
 };
 
-/** Shares of the values that are asked for. On a level ground, rows are circles, which are sharp
- * from everywhere above their middle: there, the few points that are not on it decide. */
-constexpr std::array<double, 2> most_values = {0.9, 0.97};
+/** Shares of the values whose bins are counted. On a level ground, rows are circles, which are
+ * sharp from everywhere above their middle: there, the few points that are not on it decide. */
+constexpr std::array<double, 2> counted_shares = {0.9, 0.97};
 
-using Sharpnesses = std::array<Sharpness, most_values.size()>;
+/** One for each of these shares. */
+template <typename Value>
+using ForShares = std::array<Value, counted_shares.size()>;
 
-Sharpnesses
-sharpnessesOf(std::vector<double> values)
+ForShares<Sharpness>
+sharpnessOf(std::vector<double> values)
 {
   constexpr std::size_t number = 4096;
   constexpr double rim = 0.01;
@@ -167,8 +169,11 @@ sharpnessesOf(std::vector<double> values)
     return *place;
   };
   const double low = at(rim), width = (at(1 - rim) - low) / number;
-  if (!(width > 0))
-    return {{{1, 1}, {1, 1}}};
+  ForShares<Sharpness> results;
+  if (!(width > 0)) {
+    results.fill({1, 1});
+    return results;
+  }
   std::vector<std::size_t> counts(number +
                                   3); // values at both ends, and a last, empty bin
   for (const double value : values) {
@@ -177,11 +182,10 @@ sharpnessesOf(std::vector<double> values)
   }
   std::vector<std::size_t> order = counts;
   std::sort(order.begin(), order.end(), std::greater<>());
-  Sharpnesses results;
-  for (std::size_t m = 0; m < results.size(); ++m) {
-    Sharpness& result = results[m];
-    const double most = most_values[m] * static_cast<double>(values.size());
-    for (double sum = 0; sum < most; ++result.bins)
+  for (std::size_t share = 0; share < results.size(); ++share) {
+    Sharpness& result = results[share];
+    const double wanted = counted_shares[share] * static_cast<double>(values.size());
+    for (double sum = 0; sum < wanted; ++result.bins)
       sum += static_cast<double>(order[result.bins]);
     const std::size_t fewest = order[result.bins - 1];
     for (std::size_t bin = 0; bin + 1 < counts.size(); ++bin)
@@ -209,36 +213,36 @@ struct Contrast {
   std::size_t rows = 0;
 };
 
-/** For each share of the values. */
-std::array<Contrast, most_values.size()>
-contrastsOfRows(const Rays& rays, const std::vector<Vector3d>& shifts, int kind)
+ForShares<Contrast>
+contrastOfRows(const Rays& rays, const std::vector<Vector3d>& shifts, int kind)
 {
   const auto from = [&](const Vector3d& shift) {
     std::vector<double> values;
     values.reserve(rays.size());
     for (const Vector3d& ray : rays)
       values.push_back(rowOf(ray - shift, kind));
-    return sharpnessesOf(std::move(values));
+    return sharpnessOf(std::move(values));
   };
   const auto areRows = [](const Sharpness& sharpness) {
     constexpr std::size_t fewest = 4, most = 512;
     return sharpness.rows >= fewest && sharpness.rows <= most;
   };
-  std::array<Contrast, most_values.size()> contrasts;
-  const Sharpnesses here = from(Vector3d::Zero());
+  ForShares<Contrast> contrasts;
+  const ForShares<Sharpness> here = from(Vector3d::Zero());
   if (std::none_of(here.begin(), here.end(), areRows))
     return contrasts;
-  std::vector<Sharpnesses> beside(shifts.size());
+  std::vector<ForShares<Sharpness>> beside(shifts.size());
   oneapi::tbb::parallel_for(std::size_t{0}, shifts.size(), [&](std::size_t k) {
     beside[k] = from(shifts[k]);
   });
-  for (std::size_t m = 0; m < here.size(); ++m) {
+  for (std::size_t share = 0; share < here.size(); ++share) {
+    const auto [bins, rows] = here[share];
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
-    for (const Sharpnesses& one : beside)
-      fewest = std::min(fewest, one[m].bins);
-    if (areRows(here[m]))
-      contrasts[m] = {static_cast<double>(fewest) / static_cast<double>(here[m].bins),
-                      here[m].rows};
+    for (const ForShares<Sharpness>& one : beside)
+      fewest = std::min(fewest, one[share].bins);
+    if (areRows(here[share]))
+      contrasts[share] = {static_cast<double>(fewest) / static_cast<double>(bins),
+                          rows};
   }
   return contrasts;
 }
@@ -325,14 +329,14 @@ provedBy(const PointView& points,
     return result;
   };
   const std::vector<Vector3d> shifts = positionsBeside(range);
-  std::array<std::array<Contrast, most_values.size()>, row_kinds> contrasts;
+  std::array<ForShares<Contrast>, row_kinds> contrasts;
   for (int kind = 0; kind < row_kinds; ++kind)
-    contrasts[static_cast<std::size_t>(kind)] = contrastsOfRows(rays, shifts, kind);
+    contrasts[static_cast<std::size_t>(kind)] = contrastOfRows(rays, shifts, kind);
   Contrast best;
-  for (std::size_t m = 0; m < most_values.size(); ++m)
-    for (const auto& found : contrasts)
-      if (best.ratio < clearer && found[m].ratio > best.ratio)
-        best = found[m];
+  for (std::size_t share = 0; share < counted_shares.size(); ++share)
+    for (const ForShares<Contrast>& of_kind : contrasts)
+      if (best.ratio < clearer && of_kind[share].ratio > best.ratio)
+        best = of_kind[share];
   if (best.ratio >= clearer)
     return prove(1 - 1 / (best.ratio * best.ratio),
                  std::to_string(best.rows) + " rows of equal elevation, " +
